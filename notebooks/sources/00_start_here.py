@@ -539,8 +539,8 @@ if ... not in (waves, period):
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). A team is building a
 # humanoid. Should its software be one large Python program, or ten nodes that communicate
 # over topics? What does each approach make easier, and what does it make harder? Which
-# parts would you write in Python, and which ones not? From rclpy, use only functions that
-# exist in Jazzy.
+# parts would you write in Python, and which ones not? Make sure that every rclpy function
+# you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>

@@ -621,8 +621,8 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). A node controls my robot
 # arm. On Ctrl-C, the node should move the arm slowly to its rest position, publish
 # "parked" to a topic, and then end. I put all of that into `except KeyboardInterrupt`.
-# Why doesn't it work, and what are my options? From rclpy, use only functions that
-# exist in Jazzy.
+# Why doesn't it work, and what are my options? Make sure that every rclpy function you
+# use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -643,7 +643,7 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`with rclpy.init():`:** Newer versions support it. In Jazzy, it raises a `TypeError`.
 # - **Publishing "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers, the context is

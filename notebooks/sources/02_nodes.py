@@ -7,15 +7,15 @@
 # - **Minutes:** 50
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
-#   - write a node class, and give its nodes a name and a namespace
+#   - write a node class, and give each of its nodes a name and a namespace
 #   - create two nodes with different names from one class
 #   - say what happens when two nodes have the same name
 #   - read error messages about names and attributes
-# - **Left out:** messages between nodes (lessons 03 and 04), parameters, nodes in C++ packages and launch files
+# - **Left out:** messages between nodes (lessons 03 and 04), parameters, launch files, and nodes in C++ packages
 
 # %% [markdown]
-# The program `roll_call` lists the nodes on the graph five times a second. It runs in a separate process, and *this*
-# notebook is another process. Let's create a node in the notebook and print the other process's list.
+# The program `roll_call` lists the nodes on the graph five times a second. It runs in its own process, separate from
+# this notebook's. Let's create a node in the notebook and print the other process's list.
 
 # %%
 from lesson_nodes import roll_call
@@ -43,7 +43,7 @@ print("the other process sees", reader.latest())
 
 # %% [markdown]
 # `Node("head")` created the node, and the other process found it. Here are more roll calls, drawn as a timeline. The
-# head appears, then the arm, and then the head disappears. Each mark is a roll call that contained that name.
+# head appears, then the arm, and then the head disappears. Each mark is a roll call that included the node in that row.
 #
 # [the same without helpers: init, start, fresh, run]
 
@@ -150,16 +150,16 @@ right.destroy_node()
 # %% [markdown]
 # ## Look inside
 #
-# A **node** is an entry in the **graph**, the list of all nodes and their connections. No central register assigns
-# names. Each process announces its own nodes, and the other processes add these nodes to their lists without checking
-# for duplicates. So two nodes can have the same name. We call these **duplicate node names**, and they're a fault. If
-# you send a request to `/camera`, both nodes handle it, and you get the response that arrives first. ROS doesn't treat
-# them as an error, though: the cell above printed only a warning.
+# A **node** is a participant in the **graph**, the network of all nodes and their connections. No central registry
+# assigns names. Each process announces its own nodes, and the other processes add these nodes to their lists without
+# checking for duplicates. So two nodes can have the same name. Such **duplicate node names** are a mistake. If another
+# program sends a request to `/camera`, both nodes handle it, and the program gets whichever response arrives first. ROS
+# doesn't treat duplicate names as an error, though: the cell above printed only a warning.
 #
 # A node isn't a process: this notebook's process contained two nodes. And a node isn't a class, because you can create
 # many nodes from one class.
 #
-# What does every node come with? The next cell also lists topics and services that tools usually hide:
+# What does every node come with? The next cell lists its topics and services, including those that tools usually hide:
 
 # %%
 from workbook.ros import node_info
@@ -176,8 +176,8 @@ bare.destroy_node()
 # `start(..., period_s=0.5)`. `super().__init__(name)` creates all of these topics and services, so call it first in
 # your own node class.
 #
-# To do something useful, a node adds timers, publishers, or subscriptions. Here's a camera driver like one that a
-# vendor might deliver. For now, look at the names; later lessons explain the messages.
+# To do something useful, a node adds timers, publishers, or subscriptions. Here's the kind of camera driver that a
+# vendor might ship. For now, look at the names; later lessons explain the messages.
 
 # %%
 import inspect
@@ -232,7 +232,7 @@ reveal("three-runs", cameras=node_list().count("/camera"))
 # %% [markdown]
 # Each run reassigned the *variable* `camera`. But a Python *object* lives as long as something refers to it, and the
 # executor refers to all three nodes. Each node has a publisher on the same topic, so if the executor spins, three times
-# as many images are published. In the output, only a warning about logs hints at this.
+# as many images are published. The only hint in the output is a warning about logs.
 #
 # To remove the nodes, get them from the executor:
 
@@ -244,10 +244,11 @@ await until_seen()
 print(node_list())
 
 # %% [markdown]
-# In these notebooks, `fresh(SomeNode)` does this for you. It destroys the node that an earlier run created in the same
-# way, and then creates a new one.
+# In these notebooks, `fresh(SomeNode)` does this for you. It destroys the node that an earlier run created with
+# `fresh`, and then creates a new one.
 #
-# **Your turn.** Here's that cell as a function. Complete it so that one camera is left after three calls.
+# **Your turn.** Here's the camera cell again, now as a function. Complete it so that one camera is left after three
+# calls.
 
 # %% id="your-cell"
 from workbook.lesson import yours
@@ -271,7 +272,7 @@ for camera in executor.get_nodes():
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
-# A humanoid with two arms has two of almost every part. So ROS puts names into folders, much like files. A node's
+# A humanoid with two arms has two of almost every part. So ROS organizes names in folders, much like files. A node's
 # folder is called its **namespace**. Here's a camera in the namespace `/robot/head` that uses three topic names:
 #
 # ```python
@@ -322,7 +323,7 @@ camera.destroy_node()
 # relative and private names, as this driver does.)
 #
 # **Your turn.** Each of three cameras publishes its `temperature`. Write one topic name that gives each camera its own
-# topic. The cell after that creates two robots from the same class, without changing it.
+# topic. The cell after yours creates two robots from the unchanged driver class.
 
 # %% id="your-topic-name"
 topic_name = ...  # TODO: one name for all three, in quotes
@@ -358,15 +359,15 @@ graph_picture()
 # %% [markdown] prediction="remapped-node"
 # ### Experiment 3: another name from outside
 #
-# A robot has a front camera and a rear camera, both in *one* namespace. The name is hard-coded in the driver, and you
-# aren't allowed to edit the driver. But ROS can **remap** names when a node starts. In a terminal, you type:
+# A robot has a front camera and a rear camera, both in *one* namespace. The node's name is hard-coded in the driver,
+# which you aren't allowed to edit. But ROS can **remap** names when a node starts. In a terminal, you type:
 #
 # ```text
 # python -m lesson_nodes.camera_driver --ros-args -r __ns:=/robot -r __node:=rear_camera
 # ```
 #
-# `-r` (remap) replaces the name on the left with the name on the right. `__node` and `__ns` stand for the node's own
-# name and namespace. The driver publishes to `~/frame` and to `faults`. Which topics do its messages go to now?
+# `-r` (remap) replaces the name on the left of `:=` with the one on the right. `__node` and `__ns` stand for the node's
+# own name and namespace. The driver publishes to `~/frame` and to `faults`. Which topics do its messages go to now?
 #
 # - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
 #   when `'/robot/rear_camera/faults' in names`
@@ -403,17 +404,17 @@ for printed in end.log.splitlines():
 reveal("remapped-node", names=end.log.split())
 
 # %% [markdown]
-# The driver didn't change, and yet its private and relative names changed with the node. That's why good drivers use
-# such names.
+# The driver's code didn't change, but its private and relative names followed the node's new name and namespace. That's
+# why good drivers use such names.
 #
 # What if both cameras run in one process? Command-line arguments apply to *all* nodes in the process. Both nodes would
 # be called `rear_camera`: duplicate node names again. There are two solutions:
 #
-# - **On the command line, say which node you mean.** `-r camera_a:__node:=rear_camera` renames only the node that the
-#   code calls `camera_a`.
+# - **On the command line, say which node you mean.** `-r camera_a:__node:=rear_camera` renames only the node that's
+#   named `camera_a` in the code.
 # - **In the code, use `cli_args`.** It passes the same arguments, as a list, to a single node.
 #
-# Here the code calls both cameras `camera`, so the next program uses `cli_args`. That works because the driver passes
+# Here, the code gives both nodes the same name, so the next cell uses `cli_args`. That works because the driver passes
 # `**settings` on to `Node`. If a class doesn't do that, start a separate process for each camera.
 
 # %%
@@ -453,10 +454,10 @@ for printed in run_program(SAME_NAME).log.strip().splitlines():
     print(printed.replace(". ", ".\n  "))
 
 # %% [markdown]
-# The warning mentions only logs, but lost log messages are the smallest problem here. The real problem is the duplicate
-# node names. To confirm it, run `workbook node list` (or `ros2 node list`, if ROS 2 is installed), which shows the name
-# twice. Common causes are the same program in two terminals, a cell that you ran twice, and a program that you didn't
-# stop.
+# The warning mentions only logs, but lost log messages are the least of your problems. The real problem is the
+# duplicate node names. To confirm it, run `workbook node list` (or `ros2 node list`, if ROS 2 is installed), which
+# shows the name twice. Common causes are a program that you started in two terminals, a cell that you ran twice, and a
+# program that you didn't stop.
 #
 # **Invalid names.** Which of these names can you give to a node?
 
@@ -478,10 +479,9 @@ for name in (
         print(f"✗ {error}")
 
 # %% [markdown]
-# A node name may contain only English letters, digits, and underscores, and it can't start with a digit. The caret in
-# the message points at the wrong character. The fifth example is the most common mistake, because a node name can't
-# contain a slash. Pass the folder as a separate argument: `Node("camera", namespace="/robot")`. Namespaces have similar
-# rules:
+# A node name may contain only English letters, digits, and underscores, and it can't start with a digit. In the
+# message, a caret marks the invalid character. The fifth example is the most common mistake: a node name can't contain
+# a slash. Pass the folder as a separate argument: `Node("camera", namespace="/robot")`. Namespaces have similar rules:
 
 # %% id="bad-namespaces"
 for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
@@ -510,8 +510,8 @@ yours(
 )
 
 # %% [markdown]
-# **A missing `super().__init__`.** This class creates a timer, and the error message doesn't mention the actual
-# mistake:
+# **A missing `super().__init__`.** This class creates a timer without calling `super().__init__` first, but the error
+# message doesn't say so:
 
 
 # %% id="no-super" tags=["raises-exception"]
@@ -528,8 +528,8 @@ class Blinker(Node):
 Blinker()
 
 # %% [markdown]
-# `super().__init__("blinker")` would have created `_default_callback_group`. Call it in the first line, before you use
-# any other part of the node.
+# `super().__init__("blinker")` would have created `_default_callback_group`. Make that call the first line of your
+# `__init__`, before you use any other part of the node.
 #
 # **Attributes that `Node` already uses.** This robot keeps its timers in a list, but the list's name is already taken:
 
@@ -597,9 +597,9 @@ say("info", "battery fine")
 say("warning", "battery low")
 
 # %% [markdown]
-# For each *line of code* that logs, rclpy remembers the severity; options such as `once=True` rely on that record. If
-# one line logs with two different severities, rclpy raises an error. So write an `if`, with a separate line for each
-# severity.
+# For each *line of code* that logs, rclpy remembers the **severity** (such as `info`), and options such as `once=True`
+# rely on that record. If one line logs at two different severities, rclpy raises an error. So write an `if` statement
+# with a separate line for each severity.
 #
 # The logger's name combines the node's namespace and name. By default, each log message is also published to
 # `/rosout`.
@@ -652,8 +652,8 @@ yours(
 )
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/02_nodes.ipynb), a humanoid gets an eye in the back of its head, with a
-# driver that you aren't allowed to edit. The judge checks only the graph and the topics.
+# **Your own.** In the [exercise](../exercises/02_nodes.ipynb), you give a humanoid an eye in the back of its head, but
+# you aren't allowed to edit the eye's driver. The judge checks only the graph and the topics.
 
 # %% [markdown]
 # ## Check yourself
@@ -662,7 +662,7 @@ yours(
 #
 # <details><summary>a) The second terminal shows an error, because the name is taken</summary>
 #
-# ✗ No central register assigns names, so nothing can refuse one.
+# ✗ There's no central registry, so nothing can refuse a name.
 #
 # </details>
 # <details><summary>b) There are two nodes with the same name, and every message is published twice</summary>
@@ -712,7 +712,7 @@ yours(
 #
 # </details>
 #
-# **4. You start a program with two nodes of one class and `--ros-args -r __node:=scout`. What are the nodes called?**
+# **4. A program creates two nodes from one class. You pass it `--ros-args -r __node:=scout`. What are they called?**
 #
 # <details><summary>a) Both are called <code>scout</code></summary>
 #
@@ -721,7 +721,7 @@ yours(
 # </details>
 # <details><summary>b) The first is called <code>scout</code>, and the second keeps its name</summary>
 #
-# ✗ The rule doesn't name one of the nodes, so it applies to both.
+# ✗ The rule doesn't say which node it's for, so it applies to both.
 #
 # </details>
 # <details><summary>c) <code>scout</code> and <code>scout_2</code></summary>
@@ -734,12 +734,12 @@ yours(
 #
 # <details><summary>a) <code>_timers</code> must be a list, not a dictionary</summary>
 #
-# ✗ In this lesson it was a list, and the timer didn't fire either, without any exception.
+# ✗ In this lesson, `_timers` was a list, and the timer still never fired.
 #
 # </details>
 # <details><summary>b) The node isn't spinning</summary>
 #
-# ✗ That's always worth checking. But here, the attribute's name is enough to stop the timer.
+# ✗ That's always worth checking. But here, the timer wouldn't fire even if the node were spinning.
 #
 # </details>
 # <details><summary>c) The dictionary replaced the list in which the node keeps its timers</summary>
@@ -757,29 +757,30 @@ yours(
 # I'm programming robots with ROS 2 Jazzy in Python (rclpy). Our warehouse has twenty
 # robots of the same model, and each runs the same fifteen nodes. How should we name the
 # nodes and topics, so that we can add a robot without editing code, and so that one
-# dashboard can show all of them? From rclpy, use only functions that exist in Jazzy.
+# dashboard can show all of them? Make sure that every rclpy function you use exists in
+# Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
 # Each robot gets a namespace, such as `/robot_07`. A launch file, a remapping rule, or an environment variable sets it
 # when the nodes start, so it never appears in the code. Inside the namespace, nodes use relative names for shared
-# topics and private names for topics of a single node. Only topics that all robots share, such as a common stop or a
-# map, get absolute names. The dashboard queries the graph for namespaces or topics, and uses each namespace as the
-# robot's name.
+# topics and private names for topics that belong to a single node. Only topics that all robots share, such as a shared
+# emergency stop or a map, get absolute names. The dashboard queries the graph for namespaces or topics, and uses each
+# namespace as the robot's name.
 #
-# A good answer also asks how many nodes should share a domain. (Here, all 300 nodes of the twenty robots do. One domain
-# per robot, plus a bridge, may be better.) And it asks what happens if two robots get the same number by mistake.
-# (Their nodes have duplicate names, so check for that at startup.)
+# A good answer also asks how many nodes should share a domain. (Here, all twenty robots share one domain, so it
+# contains 300 nodes. One domain per robot, plus a bridge, may be better.) And it asks what happens if two robots get
+# the same number by mistake. (Their nodes have duplicate names, so check for that at startup.)
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
-# - **ROS 2 refuses a second node with the same name:** It doesn't. Both nodes run, and a log message warns about one
-#   publisher.
+# - **ROS 2 refuses a second node with the same name:** It doesn't. Both nodes run, and only a warning says that their
+#   log messages share one publisher.
 # - **Start it with `__ns:=/robot_07`:** That's ROS 1 syntax. rcl still accepts it, with a warning that it's deprecated.
 #   In ROS 2, write `--ros-args -r __ns:=/robot_07`.
 #
@@ -788,10 +789,11 @@ yours(
 # %% [markdown]
 # ## Take away
 #
-# - A node is an entry in the graph. ROS doesn't check names, so duplicate node names are possible, but they're a fault.
-# - Avoid attribute names that `Node` uses. A logger method takes a single string, and each line of code has one
-#   severity.
-# - Call `super().__init__("name")` first. The name has no slash, hyphen, or space; the folder is the namespace.
+# - A node is a participant in the graph. ROS doesn't check for duplicate node names, so avoid them.
+# - Avoid attribute names that `Node` uses. A logger method takes a single string, and each line that logs must always
+#   use the same severity.
+# - Call `super().__init__("name")` first. The name can't contain a slash, hyphen, or space; pass the folder as
+#   `namespace`.
 # - `faults` gets the namespace as a prefix, `~/frame` gets the namespace and the node's name, and `/stop` stays the
 #   same.
 # - To rename a node from outside, remap it: `--ros-args -r __node:=rear_camera` for a whole process, or `cli_args` for

@@ -637,7 +637,7 @@ else:
 # battery, sometimes 0% for a moment, and then 64% again. Three people have changed the
 # node this month. It reads the charge from a C library, smooths it with NumPy, and
 # publishes a `Float32`. How do we find the cause, and how do we make sure that the fault
-# can't come back? Use only functions that exist in rclpy for Jazzy.
+# can't come back? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -656,7 +656,7 @@ else:
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy, the check is off by default. With
 #   this course's packages, 0.0 arrives; other builds may crash.

@@ -804,7 +804,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # subscribes to a camera (30 images a second, my callback takes 80 ms), to an emergency
 # button (one message when it is pressed), and to its battery (one message every 2 s).
 # All three subscriptions have a depth of 10. What will go wrong, and which depths would
-# you choose? Name only functions that exist in rclpy for Jazzy.
+# you choose? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -824,7 +824,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **When the queue is full, the new message is dropped:** The oldest message is dropped, and the newest ones wait.
 # - **Each subscription has its own thread:** `rclpy.spin` runs all of a node's callbacks in one thread, one after

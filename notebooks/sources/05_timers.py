@@ -708,7 +708,7 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot reads a distance sensor
 # at 20 Hz and saves a camera picture once a second, both with timers in one node.
 # Saving takes between 30 and 200 ms. What will the distance readings look like, and
-# what would you change? Name only functions that exist in rclpy for Jazzy.
+# what would you change? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>

@@ -5,8 +5,8 @@
 # do, and how do you spin a node without blocking the rest of your program?
 #
 # - **Minutes:** 50
-# - **You need:** lessons [04](04_subscriptions_and_callbacks.ipynb) and [05](05_timers.ipynb): what a subscription and
-#   a timer call
+# - **You need:** lessons [04](04_subscriptions_and_callbacks.ipynb) and [05](05_timers.ipynb): subscriptions, timers,
+#   and their callbacks
 # - **You will be able to:**
 #   - explain the difference between `spin` and `spin_once`
 #   - spin a node by hand
@@ -15,8 +15,8 @@
 # - **Left out:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
-# Timers move both arms of this robot. The cell does nothing for two seconds, and then it calls `spin_once` sixty times.
-# Watch the arms.
+# Timers move both arms of this robot. The next cell does nothing for two seconds, and then calls `spin_once` sixty
+# times. Watch the arms.
 
 # %%
 import time
@@ -46,22 +46,22 @@ moved_rad = about(max(seen) - min(seen), "rad", between=(1.0, 2.1))
 print("in sixty calls: moved by", moved_rad)
 
 # %% [markdown]
-# The numbers are the left shoulder's. Your calls moved it. In a real program, `rclpy.spin` makes such calls for you.
-# This lesson shows what happens in a single call of `spin_once`.
+# The numbers show how far the left shoulder turned. It moved only because you called `spin_once`. In a real program,
+# `rclpy.spin` makes these calls for you. This lesson shows what a single call to `spin_once` does.
 #
 # [the same without helpers: init, fresh]
 
 # %% [markdown] prediction="five-words"
 # ## Predict
 #
-# A robot subscribes to `/robot/words`. Five words were published. They have arrived, and wait in the robot's queue. Then
-# this line runs, once:
+# A robot subscribes to `/robot/words`. Five words have arrived and are waiting in the robot's queue. Then this line
+# runs, once:
 #
 # ```python
 # rclpy.spin_once(robot, timeout_sec=0.5)
 # ```
 #
-# How often has the robot's callback run?
+# How many times does the robot's callback run?
 #
 # - **a** 1.
 #   when `heard == 1`
@@ -84,9 +84,9 @@ predict("five-words")
 # %% [markdown]
 # ## Run it
 #
-# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). Its heart beats, it
-# looks around, and it repeats each word that it receives. It records each of these actions in a list, `robot.done`. For
-# now, both timers are so slow that only the words matter.
+# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). Two timers make its
+# heart beat and make it look around, and it repeats each word that it receives. It records each action in a list,
+# `robot.done`. For now, both timers are so slow that only the words matter.
 #
 # First, we publish words without spinning the robot at all.
 
@@ -149,21 +149,21 @@ yours(
 # %% [markdown]
 # ## Look inside
 #
-# Before the first call, nothing was spinning the robot, so no callback ran. There was no error and no warning, either.
-# These are the symptoms of a **forgotten spin**.
+# Before the first call, nothing was spinning the robot, so no callback ran. There was no error or warning, either.
+# That's what a **forgotten spin** looks like.
 #
 # An arriving message doesn't call your callback. A DDS thread only puts the message into the subscription's queue. A
-# timer doesn't call your callback, either, because it only determines when the callback is due. Both have to wait for
+# timer doesn't call your callback, either: it only determines when the callback is due. The callback has to wait for
 # the **executor**. `rclpy.spin_once(node)` adds the node to an executor for one iteration:
 #
 # 1. Is anything ready, such as a message in a queue or a timer that's due? If not, the executor waits.
 # 2. The executor takes **one** ready message or timer and runs its callback, in the thread that called `spin_once`.
 # 3. `spin_once` returns `None`, whether or not a callback ran.
 #
-# `rclpy.spin(node)` repeats such iterations. So spinning happens in *your* thread, not in the background.
+# `rclpy.spin(node)` repeats these three steps. So spinning happens in *your* thread, not in the background.
 #
-# The next cell adds the timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and we publish three
-# words. Then we reset both timers and wait 2.2 s without spinning. By then, both timers are due and three words are
+# Next, the timers run at normal speed: the heart beats every 1.0 s, and the robot looks around every 2.1 s. We publish
+# three words, reset both timers, and wait 2.2 s without spinning. By then, both timers are due and three words are
 # waiting. We call `spin_once` eight times, and record which callback ran in each call and how long the call took.
 
 # %%
@@ -189,7 +189,7 @@ print("all of calls 1 to 5 took", about(sum(took[:5]), "s", between=(0, 0.5)))
 print("all of calls 6 to 8 took", about(sum(took[5:]), "s", between=(0.5, 3)))
 
 # %% [markdown]
-# The drawing from lesson 04 shows the same eight calls. Each green arrow is one call of `spin_once`.
+# Here are the same eight calls, drawn as in lesson 04. Each green arrow is one call to `spin_once`.
 
 # %% id="machine"
 show_machine(
@@ -202,8 +202,8 @@ show_machine(
 # Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in the order in which they arrived. From call 6
 # on, nothing is ready, so `spin_once` *waits* and returns soon after the next timer is due.
 #
-# In this version, timers come before messages, but don't rely on that order. The heart was due at 1.0 s *and* at 2.0 s,
-# but it beat only once. [Lesson 05](05_timers.ipynb) explains why.
+# In this version of rclpy, timers come before messages, but don't rely on that order. The heartbeat was due at 1.0 s
+# *and* at 2.0 s, but its callback ran only once. [Lesson 05](05_timers.ipynb) explains why.
 #
 # | executor | how it runs callbacks |
 # |---|---|
@@ -214,7 +214,7 @@ show_machine(
 # %% [markdown]
 # ## Change it
 #
-# Each example below runs as a separate program. A **watchdog** ends the program if it prints nothing for four seconds.
+# Each example below runs as a separate program. If a program prints nothing for four seconds, a **watchdog** ends it.
 # The examples are functions in [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` prints one
 # function's code, runs it with a new node, and reports how the program ended.
 
@@ -273,16 +273,18 @@ reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
 # The word "once" refers to *one callback*. With a timeout, `spin_once` waits until something is ready or the timeout
-# expires. Without one, it waits as long as necessary. In this node, nothing can ever become ready, so the call never
-# returns. With a timer in the node, you don't notice this mistake, because each tick makes the call return.
+# expires. Without one, it waits until something is ready. In this node, nothing can ever become ready, so the call
+# never returns. If the node had a timer, you wouldn't notice this mistake, because each tick would make the call
+# return.
 #
 # In a notebook, in a test, and in any program with other work to do, **always pass `timeout_sec`**.
 
 # %% [markdown] prediction="timeout-zero"
 # ### Experiment 2: a timeout of 0
 #
-# If waiting is dangerous, why wait at all? With `timeout_sec=0` the call only polls, and returns at once. Three loops serve the same 10 Hz timer until it has ticked twenty times, with timeouts of 0, 0.01 and 0.1 s. What do you
-# expect of the first?
+# If waiting is dangerous, why wait at all? With `timeout_sec=0`, the call only polls and returns right away. Three
+# loops, with timeouts of 0, 0.01, and 0.1 s, each spin a node until its 10 Hz timer has ticked twenty times. What do
+# you expect from the first loop?
 #
 # - **a** It takes as long as the others, and keeps a processor busy all the time.
 #   when `soonest_s > 1.9 and times_as_many_calls > 5`
@@ -350,7 +352,7 @@ show(
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
 #
-# A robot makes one round, and must park its arm at the end. When the round is over, a timer of the node calls this:
+# A robot makes one round and must then park its arm. When the round is over, one of the node's timers calls this:
 #
 # ```python
 # def finish() -> None:
@@ -365,7 +367,7 @@ show(
 # print("arm parked")
 # ```
 #
-# Is the arm parked?
+# Does the arm get parked?
 #
 # - **a** Yes, but too early: `spin` starts the node in the background, and the program goes on.
 #   when `0 <= parked_at < finished_at`
@@ -412,8 +414,8 @@ _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Spinning inside a callback.** A planner needs a map. Another callback of the same node will deliver the map after
-# 0.3 s, and the planner waits for it in its own callback.
+# **Spinning inside a callback.** A planner needs a map, and waits for it in a callback. The map arrives 0.3 s later, in
+# another callback of the same node.
 
 # %% id="spin-in-callback"
 _ = try_out(ways_to_spin.wait_in_callback)
@@ -421,7 +423,7 @@ _ = try_out(ways_to_spin.wait_in_callback)
 # %% [markdown]
 # A **future** is a placeholder for a result that isn't there yet. `spin_until_future_complete(node, future)` spins the
 # node until the future has its result. But this node runs only one callback at a time. While `plan` is running, the
-# callback that delivers the map can't run. Without the timeout, this program would hang without an error message.
+# callback that delivers the map can't run. Without the timeout, this program would hang silently.
 #
 # The fix is not to wait. Instead, register a function that runs *when* the map arrives, and return:
 
@@ -429,7 +431,7 @@ _ = try_out(ways_to_spin.wait_in_callback)
 _ = try_out(ways_to_spin.go_on_later)
 
 # %% [markdown]
-# Outside of callbacks, as in the last lines of that function, `spin_until_future_complete` is a good tool.
+# Outside callbacks, `spin_until_future_complete` is a good tool, as in the last lines of `go_on_later`.
 #
 # **Your turn.** Write the function that a future calls when the map arrives. It gets the future as its argument, and
 # appends the map to `plans`.
@@ -457,7 +459,8 @@ _ = try_out(ways_to_spin.rate_without_spin)
 # The loop takes one step and then hangs. `rate.sleep()` waits for one of the node's timers. But timers fire only while
 # a thread spins the node, and the only thread is asleep. Use a timer with a callback, as in lesson 05.
 #
-# **Two threads that call `rclpy.spin`.** The robot has two arms with one node each. Does each node need its own thread?
+# **Two threads that call `rclpy.spin`.** The robot has two arms, each with its own node. Does each node need its own
+# thread?
 
 # %% id="two-spins"
 _ = try_out(ways_to_spin.two_spins)
@@ -485,8 +488,8 @@ print("then:", "a crash" if left_behind.signal else f"exit code {left_behind.exi
 
 # %% [markdown]
 # The program finishes its work, and then it *aborts*: when the program exits, Python stops the thread in the middle of
-# C++ code. You see `terminate called without an active exception` or a different error. A service manager records a
-# crash each time the program stops.
+# C++ code. You see `terminate called without an active exception` or a different error. A supervisor such as systemd
+# logs a crash each time the program stops.
 #
 # Code that starts a thread must also end it. First, shut down the executor, so that `spin` returns. Then wait for the
 # thread.
@@ -496,8 +499,8 @@ _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
 # **A timer that is always ready.** The timer is due every 10 ms, but its callback takes 20 ms. Five messages are
-# waiting. We spin the node twice, for two seconds each. The first time, each call gets all of the remaining time as its
-# timeout. The second time, each call gets 50 ms.
+# waiting. We spin the node for two seconds, twice. The first time, each call gets all of the remaining time as its
+# timeout; the second time, it gets 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -515,9 +518,9 @@ _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 # ## From a worked example to your own
 #
 # **Worked example.** We want to wait until the robot receives a word, but for at most two seconds. A safe loop for this
-# has three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. Because of
-# `min(left, 0.1)`, only the last wait is shorter, so the loop doesn't end late. Compute `left` once per iteration and
-# check it, because `spin_once` with a *negative* timeout waits forever.
+# has three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. Each wait lasts at
+# most 0.1 s, and `min(left, 0.1)` shortens only the last one, so that the loop ends on time. Compute `left` once per
+# iteration, and return when it reaches zero, because `spin_once` with a *negative* timeout waits forever.
 
 
 # %%
@@ -560,13 +563,13 @@ yours(
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/06_spinning.ipynb), you write a function that spins a node for a given
-# number of seconds and then returns. The judge tries it with several robots. One has timers, slow callbacks, and a
-# burst of words; another is quiet.
+# number of seconds and then returns. The judge runs it with several robots. One has timers and slow callbacks, and
+# receives a burst of words; another is quiet.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Ten messages are waiting, and two timers are due. How many calls of `spin_once` does it take to handle them all?**
+# **1. Ten messages are waiting, and two timers are due. How many `spin_once` calls does it take to handle them all?**
 #
 # <details><summary>a) One</summary>
 #
@@ -621,7 +624,7 @@ yours(
 #
 # </details>
 #
-# **4. A thread of your program runs `executor.spin()`. When the work is done, how should the program end?**
+# **4. A thread in your program runs `executor.spin()`. When the work is done, how should the program end?**
 #
 # <details><summary>a) It needs no extra code: a daemon thread ends with the program</summary>
 #
@@ -647,8 +650,8 @@ yours(
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick
 # in a loop (`while True: read, publish, sleep 20 ms`) and must also react to
-# `/emergency_stop`. Where do I put the spinning? Compare at least three ways. Name only
-# functions that exist in rclpy for Jazzy.
+# `/emergency_stop`. Where should I spin the node? Compare at least three ways. Make sure
+# that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -657,8 +660,8 @@ yours(
 #
 # 1. Turn the loop into a timer with a period of 20 ms, and call `rclpy.spin`. This is the usual solution, but then
 #    reading the joystick must never block.
-# 2. Keep the loop, but replace the sleep with spinning until the 20 ms are over. Call `spin_once` with a short timeout
-#    repeatedly, because one call runs only one callback. The stop is then handled within one callback's time. With
+# 2. Keep the loop, but instead of sleeping, spin until the 20 ms have passed. Call `spin_once` repeatedly with a short
+#    timeout, because one call runs only one callback. Then the stop waits for at most one other callback. With
 #    `timeout_sec=0` instead of the sleep, the loop would keep a processor busy.
 # 3. Spin in a separate thread with its own executor, and end the thread with `shutdown` and `join`. This solution is
 #    right if the library that reads the joystick blocks. But then two threads access the same data.
@@ -669,7 +672,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`rclpy.spin_some(node)`:** This function belongs to rclcpp, the C++ library. rclpy has `spin_once`.
 # - **`spin_once(node, timeout_sec=0)` handles everything that's waiting:** In fact, it runs one callback. Five waiting
@@ -681,7 +684,7 @@ yours(
 # ## Take away
 #
 # - Callbacks run only while a thread spins the node, and they run in that thread.
-# - `spin_once` runs at most one callback and returns `None`. `spin` repeats such iterations until the context is shut
+# - `spin_once` runs at most one callback and returns `None`. `spin` does this over and over until the context is shut
 #   down.
 # - Pass the same short timeout to every `spin_once`. With no timeout or a negative one, the call can block forever; a
 #   timeout of 0 keeps a processor busy.

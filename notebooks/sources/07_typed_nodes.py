@@ -871,8 +871,8 @@ yours(
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). We have thirty nodes,
 # written over three years, without a single type hint. We've been asked to run
 # mypy --strict in our automatic checks from Monday on. What would you do first, what
-# would you leave for later, and what will mypy never find for us? Name only functions
-# that exist in rclpy for Jazzy.
+# would you leave for later, and what will mypy never find for us? Make sure that every
+# rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -892,7 +892,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`self.level: Publisher[Float32] = …`:** In Jazzy, `Publisher` doesn't accept a type in brackets, and mypy reports
 #   this hint. Inside a method, Python ignores the hint; in a signature, Python 3.13 and older raise a `TypeError`.

@@ -809,7 +809,7 @@ yours(
 # publishes its status at 1 Hz and its battery level at 0.5 Hz. A monitor on another
 # computer should stop the robot if something is wrong. What can the monitor conclude from
 # a message, and what from a missing one? How long should it wait before it raises an
-# alarm? From rclpy, use only functions that exist in Jazzy.
+# alarm? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -826,7 +826,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`finally: node.destroy_node(); rclpy.shutdown()`:** After Ctrl-C, the context is already shut down. A second
 #   `shutdown` raises `rcl_shutdown already called`, and the exit code is 1. Use `rclpy.try_shutdown()`.

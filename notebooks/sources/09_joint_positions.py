@@ -614,8 +614,8 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes twelve
 # joint angles. A colleague wants them at 100 Hz for logging, the dashboard needs them at
 # 2 Hz, and the arm planner needs them at 50 Hz. Should I create three topics, one fast
-# topic, or something else? What are the arguments for each? From rclpy, use only
-# functions that exist in Jazzy.
+# topic, or something else? What are the arguments for each? Make sure that every rclpy
+# function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>

@@ -821,7 +821,7 @@ yours(
 # an exception. Goals may arrive faster than I can plan. Compare three designs: a callback
 # group with a MultiThreadedExecutor, a worker thread with a queue, and a second process.
 # In each design, what happens to the order of goals, to an exception, and to the goals
-# that are waiting? From rclpy, use only functions that exist in Jazzy.
+# that are waiting? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -838,7 +838,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **Replacing the executor with a `MultiThreadedExecutor` is enough:** Unless you say otherwise, all of a node's
 #   callbacks are in one mutually exclusive group. They still run one at a time.

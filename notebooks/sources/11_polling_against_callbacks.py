@@ -692,7 +692,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # images per second), a bumper (it's rarely hit, but then every moment counts), and a
 # battery (one value every two seconds). A colleague wants one loop that checks all three
 # every 20 ms, "because then I see the order in which things happen". What would you
-# answer? From rclpy, use only functions that exist in Jazzy.
+# answer? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -709,7 +709,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`subscription.take()`:** That's C++ (rclcpp). In rclpy, a subscription has no public method for fetching a
 #   message. It has its callback instead.

@@ -832,7 +832,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # `/arms/stretch_out` with `await client.call_async(...)` and publishes "caught" when
 # the response arrives. In tests, the callback hangs at the first stumble, and the
 # balance timer stops, too. Which changes would fix this, and which one would you choose?
-# From rclpy, use only functions that exist in Jazzy.
+# Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>

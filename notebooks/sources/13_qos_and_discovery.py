@@ -691,8 +691,8 @@ stop()
 # 20 Hz, a map that changes every few minutes, and an emergency stop. A tablet connects
 # and disconnects over an unreliable wireless network. Which reliability, durability,
 # deadline, and depth would you choose for each topic, on both sides? And how does the
-# tablet notice that it has lost the robot? Use only functions that exist in rclpy for
-# Jazzy.
+# tablet notice that it has lost the robot? Make sure that every rclpy function you use
+# exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -716,7 +716,7 @@ stop()
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`QoSProfile(depth=10, deadline=0.1)`:** The profile doesn't accept a plain number of seconds. Use
 #   `Duration(seconds=0.1)`.

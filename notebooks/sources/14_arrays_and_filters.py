@@ -673,8 +673,8 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid's hands tremble
 # because the joint encoders are noisy, at 100 Hz. I want to filter the angles in a
 # Python node before the balance controller gets them. Which filter would you take, how
-# do I choose its parameters, and what can go wrong? Name only functions that exist in
-# rclpy for Jazzy.
+# do I choose its parameters, and what can go wrong? Make sure that every rclpy function
+# you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -688,7 +688,7 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **Call `filtfilt` in the callback:** It also runs over the samples backward, so it needs samples that haven't arrived
 #   yet. Its last value changes with the next message.

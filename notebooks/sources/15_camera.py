@@ -736,7 +736,7 @@ else:
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot should keep its
 # eyes on an orange ball. An rclpy node receives sensor_msgs/Image messages at 30 Hz. How
 # do I find the ball in changing light, and how do I convert its pixel position into an
-# angle for the neck? From rclpy, use only functions that exist in Jazzy.
+# angle for the neck? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -750,7 +750,7 @@ else:
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tried both in this course's environment, and both failed.
+# Watch for these two suggestions. We tested both in this course's environment, and both failed.
 #
 # - **`from cv_bridge import CvBridge`:** cv_bridge is a separate ROS package, and this course doesn't install it. If it's
 #   installed on your system, use it: it handles encodings and byte order. `np.frombuffer` alone handles neither, and our

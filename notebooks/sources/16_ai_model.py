@@ -560,8 +560,8 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
 # object detector on /camera/image (30 Hz, rgb8) and publishes the detections. Inference
-# takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Name only functions that
-# exist in rclpy for Jazzy.
+# takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Make sure that every rclpy
+# function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>

@@ -11,29 +11,29 @@ _PLACE = re.compile(r"^\[the same without helpers: (?P<names>[a-z_, ]+)\]$", re.
 _BOX = "<details><summary>The same without helpers</summary>\n\n{inside}\n\n</details>"
 PLAIN = {
     "start": """\
-`start(program, period_s=0.5)` runs a program of this course as a process, and waits until its node is on the graph.
-In a terminal, this starts the program `NAME`. `stop()` ends it as Ctrl-C would.
+`start(program, period_s=0.5)` starts one of this course's programs in its own process and waits for its node to
+join the graph. `stop()` ends the program as Ctrl-C would. To start `NAME` in a terminal, type:
 
 ```bash
 python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
 ```""",
     "record": """\
-`record(program, {topic: period_s}, seconds)` starts a program, keeps all messages on these topics, and ends it with
-Ctrl-C. It uses simulated time, so a minute of the robot's time takes a few seconds. In a full installation of ROS 2,
-this records in real time while the program runs:
+`record(program, {topic: period_s}, seconds)` starts a program, records all messages on the given topics, and stops the
+program as Ctrl-C would. In simulated time, one minute takes a few seconds. In a full ROS 2 installation, this command
+records in real time while the program runs:
 
 ```text
 ros2 bag record /robot/cmd_vel
 ```""",
     "init": """\
-`init()` starts ROS if it isn't running, so its cell can be run again:
+`init()` starts ROS unless it's already running, so you can rerun the cell:
 
 ```python
 if not rclpy.ok():
     rclpy.init()
 ```""",
     "fresh": """\
-`fresh(MyNode, ...)` is `MyNode(...)`. But first, it destroys the node that an earlier run of the cell created:
+`fresh(MyNode, ...)` destroys the node that an earlier run of the cell created, and then calls `MyNode(...)`:
 
 ```python
 if "node" in globals():
@@ -41,8 +41,8 @@ if "node" in globals():
 node = MyNode()
 ```""",
     "run": """\
-`await run(node, seconds=5, until=done)` runs the node's callbacks until `done()` is true. It also keeps the notebook's
-buttons working. Here's the loop without that:
+`await run(node, seconds=5, until=done)` runs the node's callbacks until `done()` is true. It also keeps the
+notebook's buttons working. Otherwise, it works like this loop:
 
 ```python
 end = time.monotonic() + 5
