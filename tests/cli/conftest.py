@@ -1,6 +1,5 @@
 """A course of its own with an empty `work/`, and the command as a person types it."""
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -47,8 +46,7 @@ def typed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -
 
     def type_it(*arguments: str, columns: int = 80) -> Published:
         monkeypatch.setenv("COLUMNS", str(columns))
-        if "WORKBOOK_ANSWERS" in os.environ:
-            monkeypatch.setenv("WORKBOOK_ANSWERS", "")
+        monkeypatch.setenv("WORKBOOK_ANSWERS", "")  # a command may set it: afterwards it is as it was
         capsys.readouterr()
         try:
             code = main(arguments)

@@ -106,4 +106,4 @@ def test_last_words_get_out_only_where_python_alone_handles_the_signal() -> None
 
 
 def test_an_interrupted_program_has_no_context() -> None:
-    assert "in a program, the context is ok: False" in run_program(interrupted_sleep).log
+    assert "in a program, the context is shut down" in run_program(interrupted_sleep).log

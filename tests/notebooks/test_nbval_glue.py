@@ -58,6 +58,12 @@ for battery in (99, 98, 97):
 print("battery", 96)"""
 
 
+@pytest.fixture(autouse=True)
+def no_answers_folder(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a shell of its own: no earlier test of this process has named a folder."""
+    monkeypatch.delenv("WORKBOOK_ANSWERS", raising=False)
+
+
 def built(folder: Path, *programs: str, tags: tuple[str, ...] = ()) -> Path:
     """A notebook, run as the builder runs it."""
     cells = with_ids([Cell("code", program, tags=tags) for program in programs])

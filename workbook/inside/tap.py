@@ -51,8 +51,10 @@ class Tap:
         """Report a message. Whatever goes wrong here is no concern of the program."""
         try:
             now = time.monotonic()
-            if self._listens(now):
-                self._report(publisher, message, now)
+            kept = publisher.__dict__.get("_workbook_tap") or _known(publisher)
+            # A node's own events come first: after a look for them in vain, the next message would wait for a panel.
+            if kept.topic not in FORGOTTEN and self._listens(now):
+                self._report(kept, message, now)
         except Exception:
             self._socket = None
 
@@ -68,13 +70,8 @@ class Tap:
                 self._socket = wire
         return self._socket is not None
 
-    def _report(self, publisher: Any, message: Any, now: float) -> None:
-        kept = publisher.__dict__.get("_workbook_tap")
-        if kept is None:
-            kind = publisher.msg_type
-            type_name = f"{kind.__module__.split('.')[0]}/msg/{kind.__name__}"
-            kept = publisher.__dict__["_workbook_tap"] = _Publisher(publisher.topic_name, type_name)
-        if kept.topic in FORGOTTEN or not kept.may_report(now):
+    def _report(self, kept: _Publisher, message: Any, now: float) -> None:
+        if not kept.may_report(now):
             return
         kept.allowance -= 1.0
         data = message if isinstance(message, bytes) else _serialized(message)
@@ -85,6 +82,13 @@ class Tap:
         except BlockingIOError:  # the panel is busy: it hears of this one with the next
             return
         kept.unreported = 0
+
+
+def _known(publisher: Any) -> _Publisher:
+    kind = publisher.msg_type
+    type_name = f"{kind.__module__.split('.')[0]}/msg/{kind.__name__}"
+    kept = publisher.__dict__["_workbook_tap"] = _Publisher(publisher.topic_name, type_name)
+    return kept
 
 
 def _serialized(message: Any) -> bytes:
