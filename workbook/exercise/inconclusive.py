@@ -84,7 +84,10 @@ def find_inconclusive_reason(
 
 
 def script_cut_short(recording: Recording) -> str:
-    """A program is not praised for what it never met. One that ended by itself is judged by its end."""
+    """Say what of the script was never sent, or return "" if nothing counts.
+
+    A program is not praised for what it never met. One that ended by itself is judged by its end.
+    """
     if recording.unpublished and _was_alive_throughout(recording):
         left = len(recording.unpublished)
         were = "1 message of the script was" if left == 1 else f"{left} messages of the script were"

@@ -14,9 +14,9 @@ JudgementStatus = Literal["graded", "ungradable", "infra_error"]
 
 @dataclass(frozen=True)
 class Judgement:
-    """What came out for one answer. `provisional`: another judgement, on the wall clock or in another try, is
-    still to come and may differ.
+    """What came out for one answer.
 
+    `provisional`: another judgement, on the wall clock or in another try, is still to come and may differ.
     `inconclusive_reason`: why points that were lost may be lost without the answer's fault; empty for a conclusive
     judgement. `end_only`: the doubt is about the program's end alone, and everything else is conclusive.
     """
