@@ -1,6 +1,7 @@
 """How exercise 02 is judged: by the graph. Who is there, under which name, and what comes from whom."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from std_msgs.msg import String
 
@@ -8,6 +9,7 @@ import workbook.criteria as see
 from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
 WATCH = watching(simulated_seconds=20, wall_seconds=6.5)
+WORDS = see.Words(__file__)
 
 FRONT, REAR = "/robot/camera", "/robot/rear_camera"
 FRONT_FRAME = topic(f"{FRONT}/frame", String, hz=2.0)
@@ -15,9 +17,161 @@ REAR_FRAME = topic(f"{REAR}/frame", String, hz=2.0)
 FAULTS = topic("/robot/faults", String)  # of two nodes, so it is no topic with a pace of its own
 REPORTS_HZ = 1.0  # of each camera
 TWICE = 1.6  # of a rate: nearer to two times than to one
-SLOW_HZ = 1.6  # 20 % below the rate of the pictures; the task names it
+SLOW_HZ = 1.6  # 20 % below the rate of the images; the task names it
 AS_DELIVERED = "Leave the driver as it was delivered, and remap __node only."
 LONGEST_QUOTE = 60  # characters of a report that feedback quotes
+
+
+@dataclass(frozen=True)
+class Graph:
+    """Which nodes are on the graph."""
+
+    recording: Recording
+
+    @cached_property
+    def duplicates(self) -> list[str]:
+        return sorted(
+            node.name for node in self.recording.nodes if node.most > 1 and node.name in (FRONT, REAR)
+        )
+
+    @cached_property
+    def others(self) -> list[str]:
+        return sorted({node.name for node in self.recording.nodes} - {FRONT, REAR})
+
+    @property
+    def outside(self) -> list[str]:
+        """Those outside of the robot's namespace."""
+        return [name for name in self.others if not name.startswith("/robot/")]
+
+
+@dataclass(frozen=True)
+class Camera:
+    """What one of the cameras does. `frames`: the topic of its images."""
+
+    recording: Recording
+    name: str
+    frames: Topic
+
+    @property
+    def publishing(self) -> list[str]:
+        """The nodes that publish its images."""
+        return publishing_nodes(self.recording, self.frames)
+
+    @property
+    def topic(self) -> str:
+        return self.frames.name
+
+    @property
+    def left_at(self) -> float:
+        """When it left the graph (s)."""
+        return max(one.last_seen or 0.0 for one in self.recording.topic(self.topic).publishers)
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether it left the graph while the program ran on."""
+        left = [one.last_seen for one in self.recording.topic(self.topic).publishers]
+        return self.recording.process.ended_by != "itself" and None not in left
+
+    @property
+    def takes_images(self) -> bool:
+        return bool(see.values(self.recording, self.frames))
+
+    @property
+    def both_slow(self) -> bool:
+        paces = [see.topic_pace(self.recording, one).hz for one in (FRONT_FRAME, REAR_FRAME)]
+        return all(hz is not None and hz < SLOW_HZ for hz in paces)
+
+    @cached_property
+    def reports(self) -> Recording:
+        """The recording, of /robot/faults only what begins with the name of this camera."""
+        return see.part_of(self.recording, FAULTS, lambda text: str(text).startswith(f"{self.short_name}:"))
+
+    @property
+    def has_reported(self) -> bool:
+        return bool(see.values(self.reports, FAULTS))
+
+    @property
+    def short_name(self) -> str:
+        return self.name.rsplit("/", 1)[1]
+
+    @property
+    def nothing_at_all(self) -> bool:
+        return not any(see.values(self.recording, one) for one in (FRONT_FRAME, REAR_FRAME, FAULTS))
+
+    @property
+    def nameless(self) -> list[str]:
+        """Reports that begin with the name of no camera, cut short."""
+        texts = map(str, see.values(self.recording, FAULTS))
+        return [text[:LONGEST_QUOTE] for text in texts if not text.startswith(("camera:", "rear_camera:"))]
+
+    @property
+    def other(self) -> "Camera":
+        return Camera(self.recording, *((REAR, REAR_FRAME) if self.name == FRONT else (FRONT, FRONT_FRAME)))
+
+    @property
+    def reports_hz(self) -> float:
+        """How many reports begin with the name of this camera (1/s)."""
+        return round(see.topic_pace(self.reports, replace(FAULTS, hz=REPORTS_HZ)).hz or 0.0, 1)
+
+
+@dataclass(frozen=True)
+class FaultsTopic:
+    """Who publishes /robot/faults."""
+
+    recording: Recording
+
+    @property
+    def publishing(self) -> list[str]:
+        return publishing_nodes(self.recording, FAULTS)
+
+    @property
+    def elsewhere(self) -> list[str]:
+        """Topics called "faults" in another namespace, if some node publishes there."""
+        return sorted(
+            name
+            for name, seen in self.recording.topics.items()
+            if name.endswith("/faults") and name != FAULTS.name and seen.publishers
+        )
+
+
+def publishing_nodes(recording: Recording, one: Topic) -> list[str]:
+    """Fully qualified names of the nodes that publish on a topic, each once; "no node" if there is none."""
+    return sorted({publisher.node for publisher in recording.topic(one.name).publishers}) or ["no node"]
+
+
+OTHERS = WORDS.rules(
+    Graph,
+    "nobody-else",
+    ("duplicate-name", lambda graph: graph.duplicates),
+    ("outside-namespace", lambda graph: graph.outside),
+    ("extra-node", lambda graph: graph.others),
+)
+OTHER_NODE = WORDS.cause("pictures.other-node", Camera)
+GONE = WORDS.rules(Camera, "pictures", ("camera-gone", lambda camera: camera.is_gone))
+BOTH_SLOW = WORDS.cause("pictures.both-slow", ("saw", "expected"))
+NO_IMAGES = WORDS.rules(
+    Camera,
+    "pictures",
+    ("none", see.otherwise, see.ended_by_error),
+    ("camera-gone", lambda camera: camera.is_gone),
+    ("never-taken", lambda camera: camera.has_reported),
+    ("nothing-spins", lambda camera: camera.nothing_at_all),
+    ("node-not-spun", see.otherwise),
+)
+NOT_ON_TOPIC = WORDS.rules(
+    FaultsTopic, "shared-faults", ("other-name", lambda topic: topic.elsewhere), ("missing", see.otherwise)
+)
+NO_REPORT = WORDS.rules(
+    Camera,
+    "shared-faults",
+    ("none", see.otherwise, see.ended_by_error),
+    ("nameless", lambda camera: camera.nameless),
+    ("camera-idle", lambda camera: not camera.takes_images),
+    ("name-of-the-other", lambda camera: camera.other.reports_hz > TWICE * REPORTS_HZ),
+    ("silent", see.otherwise),
+    about_time=["silent"],
+)
+OTHER_RATE = WORDS.cause("shared-faults.other-rate", ("camera", "saw", "expected"))
 
 
 @criterion(points=1, title="/robot/camera is on the graph, once", needs=[program_runs])
@@ -34,25 +188,27 @@ def rear_node(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="The front camera publishes images at 2 Hz", needs=[front_node])
 def front_pictures(recording: Recording) -> Verdict:
-    return pictures_of(recording, FRONT_FRAME, FRONT)
+    return images_of(Camera(recording, FRONT, FRONT_FRAME))
 
 
 @criterion(points=2, title="The rear camera publishes images at 2 Hz", needs=[rear_node])
 def rear_pictures(recording: Recording) -> Verdict:
-    return pictures_of(recording, REAR_FRAME, REAR)
+    return images_of(Camera(recording, REAR, REAR_FRAME))
 
 
-@criterion(points=1, title="Both report on /robot/faults, once a second", needs=[front_node, rear_node])
+@criterion(
+    points=1, title="Both cameras report on /robot/faults, once a second", needs=[front_node, rear_node]
+)
 def shared_faults(recording: Recording) -> Verdict:
-    found = publishing_nodes(recording, FAULTS)
-    if not set(found) >= {FRONT, REAR}:
-        return why_not_on_the_topic(recording, found)
-    cameras = ((FRONT, FRONT_FRAME), (REAR, REAR_FRAME))
-    for camera, frames in cameras:
-        if not see.values(reports(recording, camera), FAULTS):
-            return why_no_reports(recording, camera, frames)
-    for camera, frames in cameras:
-        verdict = reports_of(recording, camera, frames)
+    topic = FaultsTopic(recording)
+    cameras = [Camera(recording, FRONT, FRONT_FRAME), Camera(recording, REAR, REAR_FRAME)]
+    if not set(topic.publishing) >= {FRONT, REAR}:
+        return NOT_ON_TOPIC.verdict(topic)
+    for camera in cameras:
+        if not camera.has_reported:
+            return NO_REPORT.verdict(camera)
+    for camera in cameras:
+        verdict = reports_of(camera)
         if not verdict.ok:
             return verdict
     return see.passed("both cameras report their faults once a second")
@@ -60,259 +216,48 @@ def shared_faults(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="There is no other node", needs=[program_runs])
 def nobody_else(recording: Recording) -> Verdict:
-    expected = f"{FRONT} and {REAR}, each once, and no other node"
-    duplicates = sorted(node.name for node in recording.nodes if node.most > 1 and node.name in (FRONT, REAR))
-    if duplicates:
-        return see.failed(
-            "nobody-else.duplicate-name",
-            f"duplicate node name: {names_or_nobody(duplicates)}, more than once",
-            expected,
-            "Two nodes were created with the same name. ROS allows that, but then nothing can tell them apart.",
-            "Remap one of them: cli_args=['--ros-args', '-r', '__node:=rear_camera'].",
-        )
-    others = sorted({node.name for node in recording.nodes} - {FRONT, REAR})
-    outside = [name for name in others if not name.startswith("/robot/")]
-    if outside:
-        return see.failed(
-            "nobody-else.outside-namespace",
-            f"{names_or_nobody(outside)}, outside the namespace /robot",
-            expected,
-            "A node outside the robot's namespace doesn't belong to one robot. A second robot would have a node "
-            "with the same name.",
-            "Give every node that you create namespace='/robot', and create only the two cameras.",
-        )
-    if others:
-        return see.failed(
-            "nobody-else.extra-node",
-            f"also on the graph: {names_or_nobody(others)}",
-            expected,
-            "The program creates too many nodes, or a node has the wrong name.",
-            "Create the two cameras and no other node.",
-        )
-    return see.passed("no other node on the graph")
+    return OTHERS.first(Graph(recording)) or see.passed("no other node on the graph")
 
 
-@criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
+@criterion(points=1, title="The program is still running at the end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
 
 
-def pictures_of(recording: Recording, frames: Topic, camera: str) -> Verdict:
-    """The pictures come at their rate, and from this camera."""
+def images_of(camera: Camera) -> Verdict:
+    """The images come at their rate, and from this camera."""
+    recording, frames = camera.recording, camera.frames
     there = see.publishes(recording, frames)
     if not there.ok:
         return there if there.cause.startswith("error.") else replace(there, try_this=AS_DELIVERED)
-    found = publishing_nodes(recording, frames)
-    if found != [camera]:
-        return see.failed(
-            "pictures.other-node",
-            f"{names_or_nobody(found)} on {frames.name}",
-            f"{camera} on {frames.name}, and no other node",
-            "This topic's name is hard-coded or remapped, so it doesn't follow the node's name.",
-            "Don't change the driver, and rename the node with __node:=. Its private topics follow.",
-        )
-    if not see.values(recording, frames):
-        return why_no_pictures(recording, frames, camera)
+    if camera.publishing != [camera.name]:
+        return OTHER_NODE.verdict(camera)
+    if not camera.takes_images:
+        return NO_IMAGES.verdict(camera)
     verdict = see.rate(recording, frames)
     if verdict.ok:
         return verdict
-    crashed = see.ended_by_error(recording, verdict.saw, verdict.expected)
-    return crashed or camera_left(recording, frames, camera) or both_slow(recording, verdict) or verdict
+    explained = see.ended_by_error(recording, verdict.saw, verdict.expected) or GONE.first(camera)
+    return explained or (both_slow(verdict) if camera.both_slow else verdict)
 
 
-def both_slow(recording: Recording, verdict: Verdict) -> Verdict | None:
-    """A failed verdict if the pictures of both cameras come too slowly; else None. `verdict`: on one of them."""
-    paces = [see.topic_pace(recording, frames).hz for frames in (FRONT_FRAME, REAR_FRAME)]
-    if not all(hz is not None and hz < SLOW_HZ for hz in paces):
-        return None
-    return replace(
-        see.failed(
-            "pictures.both-slow",
-            verdict.saw,
-            verdict.expected,
-            "The other camera is too slow, too. Something delays the executor that runs both: a callback works or "
-            "sleeps, or the loop around spin_once does. Or the driver's periods were changed.",
-            "Don't change the driver or main: executor.spin() runs each callback when it's due.",
-            about_time=verdict.about_time,
-        ),
-        pace_of=verdict.pace_of,
-    )
+def both_slow(verdict: Verdict) -> Verdict:
+    """The verdict on one camera's rate, explained by what delays both."""
+    told = BOTH_SLOW.verdict(saw=verdict.saw, expected=verdict.expected, about_time=verdict.about_time)
+    return replace(told, pace_of=verdict.pace_of)
 
 
-def camera_left(recording: Recording, frames: Topic, camera: str) -> Verdict | None:
-    """A failed verdict if this camera left the graph while the program ran on; else None."""
-    left = [publisher.last_seen for publisher in recording.topic(frames.name).publishers]
-    gone = [at for at in left if at is not None]
-    if recording.process.ended_by == "itself" or len(gone) < len(left):
-        return None
-    return see.failed(
-        "pictures.camera-gone",
-        f"{camera} left the graph after {max(gone):.1f} s, but the program kept running without it",
-        f"{camera} on the graph for as long as the program runs",
-        "Its node or its publisher was destroyed by destroy_node(), or because its context was shut down.",
-        "Keep both cameras until the spin has ended.",
-    )
+def reports_of(camera: Camera) -> Verdict:
+    """The fault reports of one camera come once a second.
 
-
-def why_no_pictures(recording: Recording, frames: Topic, camera: str) -> Verdict:
-    """Why a camera that is on the graph takes no pictures."""
-    saw, expected = (
-        f"{camera} is on the graph, but publishes no images",
-        f"images on {frames.name}, two per second",
-    )
-    explained = see.ended_by_error(recording, saw, expected) or camera_left(recording, frames, camera)
-    if explained is not None:
-        return explained
-    if see.values(reports(recording, camera), FAULTS):
-        return see.failed(
-            "pictures.never-taken",
-            f"{camera} reports faults, but publishes no images",
-            expected,
-            "The node is spun, but nothing calls take_picture, or take_picture doesn't publish.",
-            "Restore the driver as it was delivered.",
-        )
-    if not any(see.values(recording, one) for one in (FRONT_FRAME, REAR_FRAME, FAULTS)):
-        return see.failed(
-            "pictures.nothing-spins",
-            f"{camera} is on the graph, but neither camera publishes anything",
-            expected,
-            "Nothing spins the nodes: there is no spin, or a line before it never returns.",
-            "Restore main as it was: it adds both cameras to one executor and spins it.",
-        )
-    return see.failed(
-        "pictures.node-not-spun",
-        saw,
-        expected,
-        "Nothing spins this node. An executor runs only the nodes that were added to it, and rclpy.spin(node) runs "
-        "only that node.",
-        "Add both nodes to one executor: return both from make_cameras, and don't change main.",
-    )
-
-
-def reports(recording: Recording, camera: str) -> Recording:
-    """The recording, of /robot/faults only what begins with the name of this camera."""
-    beginning = f"{camera.rsplit('/', 1)[1]}:"
-    return see.part_of(recording, FAULTS, lambda text: str(text).startswith(beginning))
-
-
-def reports_of(recording: Recording, camera: str, frames: Topic) -> Verdict:
-    """The fault reports of one camera come once a second. `frames`: its pictures.
-
-    Whether its reports follow simulated time, its pictures tell: each camera may have a clock of its own.
+    Whether its reports follow simulated time, its images tell: each camera may have a clock of its own.
     """
-    own = reports(recording, camera)
-    verdict = replace(see.rate(own, replace(FAULTS, hz=REPORTS_HZ)), pace_of=frames.name)
+    verdict = replace(see.rate(camera.reports, replace(FAULTS, hz=REPORTS_HZ)), pace_of=camera.topic)
     if verdict.ok:
         return verdict
-    saw = f"reports of {camera}: {verdict.saw}"
-    if recording.process.ended_by == "itself" or not see.rate(recording, frames).ok:
-        return replace(verdict, saw=saw)
-    return replace(
-        see.failed(
-            "shared-faults.other-rate",
-            saw,
-            verdict.expected,
-            "This camera's images arrive at the right rate, so its node works. Something else changed the reports: "
-            "in the class, or after the camera was created.",
-            "Restore the driver as it was delivered: it reports once per second.",
-            about_time=verdict.about_time,
-        ),
-        pace_of=verdict.pace_of,
+    told = OTHER_RATE.verdict(
+        camera=camera, saw=verdict.saw, expected=verdict.expected, about_time=verdict.about_time
     )
-
-
-def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
-    """Why no report begins with the name of this camera, which has a publisher for them."""
-    name = camera.rsplit("/", 1)[1]
-    saw, expected = (
-        f"no report of {camera}",
-        f"one report per second on {FAULTS.name} that begins with '{name}:'",
-    )
-    strange = [
-        text
-        for text in see.values(recording, FAULTS)
-        if not str(text).startswith(("camera:", "rear_camera:"))
-    ]
-    crashed = see.ended_by_error(recording, saw, expected)
-    if crashed is not None:
-        return crashed
-    if strange:
-        return see.failed(
-            "shared-faults.nameless",
-            f"{saw}; another text arrives: {str(strange[0])[:LONGEST_QUOTE]!r}",
-            expected,
-            "The report text was changed. It must begin with the name, so that people know which camera to repair.",
-            "Restore the driver as it was delivered.",
-        )
-    if not see.values(recording, frames):
-        return see.failed(
-            "shared-faults.camera-idle",
-            f"{saw}, and no image either",
-            expected,
-            "This node does nothing at all.",
-            "First, make this node publish its images. The reports should then arrive, too.",
-        )
-    return why_silent(recording, camera, expected)
-
-
-def why_silent(recording: Recording, camera: str, expected: str) -> Verdict:
-    """Why a camera that takes pictures reports nothing under its name."""
-    name, other = camera.rsplit("/", 1)[1], FRONT if camera == REAR else REAR
-    hz = see.topic_pace(reports(recording, other), replace(FAULTS, hz=REPORTS_HZ)).hz
-    if hz is not None and hz > TWICE * REPORTS_HZ:
-        return see.failed(
-            "shared-faults.name-of-the-other",
-            f"no report begins with '{name}:', but {see.number(round(hz, 1))} per second begin with "
-            f"'{other.rsplit('/', 1)[1]}:'",
-            expected,
-            "Both cameras report under the same name, or one of them reports for both.",
-            "Restore the driver as it was delivered: it uses the name from get_name().",
-        )
-    return see.failed(
-        "shared-faults.silent",
-        f"no report of {camera}, although its images arrive",
-        expected,
-        "The node works, but nothing calls report_faults, or report_faults doesn't publish.",
-        "Restore the driver as it was delivered.",
-        about_time=True,
-    )
-
-
-def why_not_on_the_topic(recording: Recording, found: list[str]) -> Verdict:
-    """Why not both cameras publish /robot/faults. `found`: the nodes that do."""
-    saw = f"{names_or_nobody(found)} on {FAULTS.name}"
-    expected = f"{FRONT} and {REAR} on {FAULTS.name}"
-    elsewhere = other_faults_topics(recording)
-    if elsewhere:
-        return see.failed(
-            "shared-faults.other-name",
-            f"{saw}; some node reports on {' and '.join(elsewhere)}",
-            expected,
-            "This topic's name was edited or remapped. As delivered, it follows each camera's namespace.",
-            AS_DELIVERED,
-        )
-    return see.failed(
-        "shared-faults.missing",
-        saw,
-        expected,
-        "This topic's name was edited or remapped, or one camera no longer has a publisher for it.",
-        AS_DELIVERED,
-    )
-
-
-def publishing_nodes(recording: Recording, one: Topic) -> list[str]:
-    """Fully qualified names of the nodes that publish on a topic, each once."""
-    return sorted({publisher.node for publisher in recording.topic(one.name).publishers})
-
-
-def other_faults_topics(recording: Recording) -> list[str]:
-    """Topics called "faults" in another namespace, if somebody publishes there."""
-    return sorted(
-        name
-        for name, seen in recording.topics.items()
-        if name.endswith("/faults") and name != FAULTS.name and seen.publishers
-    )
-
-
-def names_or_nobody(names: list[str]) -> str:
-    return " and ".join(names) if names else "no node"
+    if camera.recording.process.ended_by == "itself" or not see.rate(camera.recording, camera.frames).ok:
+        return replace(verdict, saw=told.saw)
+    return replace(told, pace_of=verdict.pace_of)

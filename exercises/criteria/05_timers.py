@@ -41,12 +41,12 @@ def tilt_topic(recording: Recording) -> Verdict:
     return carries_floats(recording, TILT)
 
 
-@criterion(points=2, title="The tilt comes at 5 Hz: 300 times a minute", needs=[tilt_topic])
+@criterion(points=2, title="The tilt is published at 5 Hz: 300 times a minute", needs=[tilt_topic])
 def tilt_count(recording: Recording) -> Verdict:
     return in_rhythm(recording, TILT)
 
 
-@criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
+@criterion(points=1, title="The program is still running at the end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
 

@@ -9,9 +9,10 @@ from workbook.criteria import Recording, Verdict, criterion, program_runs, topic
 
 STATUS = topic("/robot/status", String, hz=1.0)
 BATTERY = topic("/robot/battery", Float32, hz=0.5)
-WATCH = watching(
-    simulated_seconds=36, to_the_end=True
-)  # the battery of the starter is empty after 30 s at most
+WATCH = watching(simulated_seconds=36, to_the_end=True)  # the starter's battery is empty after 30 s at most
+WORDS = see.Words(__file__)
+
+ENDED_WHEN_EMPTY = WORDS.cause("alive-at-end.empty", ("saw", "expected", "charge"))
 
 
 @criterion(points=1, title="/robot/battery carries Float32", needs=[program_runs])
@@ -31,12 +32,12 @@ def battery_arrives(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="The battery comes at 0.5 Hz", needs=[battery_topic])
+@criterion(points=2, title="The battery is published at 0.5 Hz", needs=[battery_topic])
 def battery_rate(recording: Recording) -> Verdict:
     return see.rate(recording, BATTERY)
 
 
-@criterion(points=1, title="/robot/status is as it was: String, 1 Hz", needs=[program_runs])
+@criterion(points=1, title="/robot/status is unchanged: String, 1 Hz", needs=[program_runs])
 def status_kept(recording: Recording) -> Verdict:
     return see.all_of(
         see.publishes(recording, STATUS),
@@ -46,32 +47,20 @@ def status_kept(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="The program runs until it is told to end", needs=[program_runs])
+@criterion(points=1, title="The program runs until it is asked to end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     verdict = see.alive_at_end(recording)
-    return ended_when_empty(recording, verdict) if verdict.cause == "alive-at-end.ended" else verdict
-
-
-def ended_when_empty(recording: Recording, ended: Verdict) -> Verdict:
-    """The verdict on a program that ended by itself, with the battery as a possible reason where it was just empty."""
     levels = [level for level in see.values(recording, BATTERY) if isinstance(level, float)]
-    largest = max((before - after for before, after in pairwise(levels)), default=0.0)
-    if not levels or levels.count(0.0) > 1 or levels[-1] > largest:
-        return ended
-    return see.failed(
-        "alive-at-end.empty",
-        f"{ended.saw}; the last charge was {see.number(levels[-1])} %",
-        ended.expected,
-        "The battery was empty or almost empty. Your program ends for that reason, or it happened to end then, "
-        "because of a counting loop or a spin with a time limit. But silence doesn't tell anyone that the battery "
-        "is empty.",
-        'Keep publishing 0.0 and "error" when the battery is empty. Only Ctrl-C ends the program.',
-    )
+    largest_step = max((before - after for before, after in pairwise(levels)), default=0.0)
+    just_empty = levels and levels.count(0.0) < 2 and levels[-1] <= largest_step
+    if verdict.cause != "alive-at-end.ended" or not just_empty:
+        return verdict
+    return ENDED_WHEN_EMPTY.verdict(saw=verdict.saw, expected=verdict.expected, charge=levels[-1])
 
 
 @criterion(
     points=3,
-    title="Ctrl-C ends it with exit code 0, without a traceback",
+    title="Ctrl-C ends the program with exit code 0, without a traceback",
     needs=[alive_at_end],
     about_end=True,
 )

@@ -34,12 +34,12 @@ def joints_move(recording: Recording) -> Verdict:
     return see.varies(recording, JOINTS, at_least=2, by=1e-6, what="joint")
 
 
-@criterion(points=2, title="The joint positions come at 0.5 Hz", needs=[joint_topic])
+@criterion(points=2, title="The joint positions are published at 0.5 Hz", needs=[joint_topic])
 def joint_rate(recording: Recording) -> Verdict:
     return see.rate(recording, JOINTS)
 
 
-@criterion(points=1, title="/robot/status is as it was: String, 1 Hz", needs=[program_runs])
+@criterion(points=1, title="/robot/status is unchanged: String, 1 Hz", needs=[program_runs])
 def status_kept(recording: Recording) -> Verdict:
     return see.all_of(
         see.publishes(recording, STATUS),
@@ -50,7 +50,7 @@ def status_kept(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=1, title="/robot/battery is as it was: Float32, 0.5 Hz, 0 to 100, falling", needs=[program_runs]
+    points=1, title="/robot/battery is unchanged: Float32, 0.5 Hz, 0 to 100, falling", needs=[program_runs]
 )
 def battery_kept(recording: Recording) -> Verdict:
     return see.all_of(
@@ -64,6 +64,6 @@ def battery_kept(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
+@criterion(points=1, title="The program is still running at the end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)

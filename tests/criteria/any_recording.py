@@ -22,12 +22,12 @@ from workbook.recording.recording import (
     CallSeen,
     Finding,
     NodeSeen,
-    Phase,
     ProcessRecord,
     Published,
     PublisherSeen,
     Recording,
     ServiceSeen,
+    Stretch,
     SubscriberSeen,
     TopicRecording,
 )
@@ -146,7 +146,7 @@ class Flood:
             room -= bytes_of(value)
             if room < 0:
                 break
-            found.append((self._times(self._random, recording.simulated_s), value))
+            found.append((self._times(self._random, recording.watched_s), value))
         offset = topic.arrivals[0].wall - topic.arrivals[0].t
         return tuple(
             Arrival(t, t + offset, value, t + offset - 0.001)
@@ -159,7 +159,7 @@ class Flood:
             return recording.calls
         more = []
         for number in range(MOST_CALLS):
-            one, t = calls[number % len(calls)], self._times(self._random, recording.simulated_s)
+            one, t = calls[number % len(calls)], self._times(self._random, recording.watched_s)
             later = None if one.answered_t is None else t + one.answered_t - one.t
             more.append(replace(one, t=t, wall=t, answered_t=later, answered_wall=later))
         others = [one for one in recording.calls if one.by != "program"]
@@ -311,7 +311,7 @@ class Strange:
 
     def recording(self, recording: Recording) -> Recording:
         """The same watch of another program."""
-        topics = {name: self.topic(one, recording.simulated_s) for name, one in recording.topics.items()}
+        topics = {name: self.topic(one, recording.watched_s) for name, one in recording.topics.items()}
         if self._seldom() and topics:
             del topics[self._one(list(topics))]
         if self._seldom():
@@ -330,7 +330,7 @@ class Strange:
             kind, value = self.foreign()
             arrivals = tuple(Arrival(t / 10, t / 10, value) for t in range(self._one((0, 1, 30))))
             seen = PublisherSeen(self._name(), kind, "reliable", "volatile", 0.0)
-            found[name] = TopicRecording(name, (seen,), (), arrivals, (0.0, recording.simulated_s))
+            found[name] = TopicRecording(name, (seen,), (), arrivals, (0.0, recording.watched_s))
         return found
 
     def _changes(self) -> list[Callable[[Recording], Recording]]:
@@ -345,8 +345,8 @@ class Strange:
                 one, follows_clock=self._one((None, True, False)), in_lockstep=self._seldom()
             ),
             lambda one: replace(one, following={name: self._seldom() for name in one.topics}),
-            lambda one: replace(one, simulated_s=self._one((0.0, 1.0, one.simulated_s / 2)), phases=()),
-            lambda one: replace(one, phases=(Phase(1.0, 0.0, 1.0), Phase(20.0, 1.0, one.simulated_s))),
+            lambda one: replace(one, watched_s=self._one((0.0, 1.0, one.watched_s / 2)), stretches=()),
+            lambda one: replace(one, stretches=(Stretch(1.0, 0.0, 1.0), Stretch(20.0, 1.0, one.watched_s))),
             lambda one: replace(one, published=tuple(self._begin_of(one.published))),
             lambda one: replace(one, calls=()),
             lambda one: replace(one, calls=one.calls[: self._random.randrange(len(one.calls) + 1)]),

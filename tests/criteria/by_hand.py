@@ -47,7 +47,7 @@ def recorded(
     return Recording(
         clock=clock,
         domain_id=17,
-        simulated_s=14.0,
+        watched_s=14.0,
         wall_s=14.5,
         topics={topic.name: topic for topic in topics},
         nodes=(NodeSeen(NODE, 0.1),) if nodes else (),

@@ -1,18 +1,18 @@
-"""Where the source of a criteria file or a module of the vocabulary names its causes, read without running it.
+"""The causes of a criteria file or a module of the vocabulary, read without running it.
 
-A cause id stands as a literal in the call that says the words: `failed("rate.too-fast", saw, expected, because, try)`,
-or a local function or a table row that takes the id as well.
+The id of a cause heads its words in the catalog, or stands as a literal in the call that says them:
+`failed("rate.too-fast", saw, expected, because, try)`, or a local function or a table row that takes the id as well.
 """
 
 import ast
 from collections.abc import Iterator
 from pathlib import Path
 
+from workbook.criteria.rules import Words
 from workbook.criteria.verdict import CAUSE
 
 ROOT = Path(__file__).resolve().parents[2]
 VERDICTS = ("failed", "partial")
-Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def vocabulary() -> list[Path]:
@@ -30,26 +30,26 @@ class Source:
     """A parsed source file."""
 
     def __init__(self, path: Path) -> None:
+        self._path = path
         self._tree = ast.parse(path.read_text(encoding="utf-8"))
 
     def causes(self) -> list[str]:
-        """All causes that are named, each as often as it is."""
-        return [
+        """All causes that are named, each as often as it is; one of the catalog once."""
+        catalog = self._path.with_suffix(".toml")
+        in_catalog = Words(str(self._path)).causes() if catalog.is_file() else set()
+        literals = [
             str(value.value)
             for call in self._calls()
             for value in _first_or_cause(call)
             if isinstance(value, ast.Constant) and is_cause(value.value)
         ]
+        return [*in_catalog, *(cause for cause in literals if cause not in in_catalog)]
 
     def verdicts(self) -> Iterator[tuple[int, ast.expr | None]]:
         """Line and first argument of each call of `failed` and `partial`."""
         for call in self._calls():
             if _called(call) in VERDICTS:
                 yield call.lineno, next(iter(_first_or_cause(call)), None)
-
-    def functions(self) -> Iterator[Function]:
-        """All functions, the inner ones too."""
-        return (node for node in ast.walk(self._tree) if isinstance(node, Function))
 
     def _calls(self) -> Iterator[ast.Call]:
         return (node for node in ast.walk(self._tree) if isinstance(node, ast.Call))

@@ -1,6 +1,7 @@
 """Criteria bear every recording that a program can bring about: none of them crashes, and none takes long."""
 
 from collections.abc import Callable
+from functools import cache
 from random import Random
 from typing import Any
 
@@ -27,11 +28,14 @@ from workbook.watching.recorder import KEPT_PER_TOPIC
 STEMS = stems(ROOT / "solutions")
 
 
+read = cache(lambda stem: load_exercise(stem, ROOT))  # hypothesis asks for the same one again and again
+
+
 @pytest.mark.parametrize("stem", STEMS)
 @given(seed=st.integers(0, 2**32 - 1))
 @settings(max_examples=40)
 def test_no_criterion_crashes(stem: str, seed: int) -> None:
-    exercise = load_exercise(stem, ROOT)
+    exercise = read(stem)
     run_criteria(exercise.criteria, Strange(exercise, Random(seed)).recording(right(stem)))
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.lesson_nodes.ending import ended_in_order
 from workbook.criteria.vocabulary.known_errors import (
     ProgramError,
-    ended_in_order,
     find_error,
     shutdown_overtaken,
     without_executors_end,
@@ -154,7 +154,7 @@ Humanoid()
         "callback_without_a_message",
         "self.create_subscription(String, '/s', self.tick, 10)",
         "RuntimeError",
-        "one argument besides self",
+        "one argument in addition to self",
     ),
     in_node(
         "message_callback_called",

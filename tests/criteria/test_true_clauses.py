@@ -63,7 +63,7 @@ def lost(stem: str, recording: Recording) -> list[CriterionResult]:
 def test_the_end_of_a_program_is_named_before_its_consequences(stem: str, how: str) -> None:
     whole = right(stem)
     for share in MOMENTS:
-        points_lost = lost(stem, ended(whole, share * whole.simulated_s, ENDS[how]))
+        points_lost = lost(stem, ended(whole, share * whole.watched_s, ENDS[how]))
         if points_lost:
             first = points_lost[0]
             assert "ended" in f"{first.cause} {first.saw}" or ERROR in first.saw, (share, first)
@@ -73,9 +73,9 @@ def stopped(recording: Recording, random: Random) -> Recording:
     """Some topics stop at moments of their own, some never begin, and some go on."""
     topics = {}
     for name, topic in recording.topics.items():
-        until = random.choice((0.0, random.uniform(0.0, recording.simulated_s), recording.simulated_s))
+        until = random.choice((0.0, random.uniform(0.0, recording.watched_s), recording.watched_s))
         topics[name] = replace(topic, arrivals=tuple(one for one in topic.arrivals if one.t <= until))
-    until = random.uniform(0.0, recording.simulated_s)
+    until = random.uniform(0.0, recording.watched_s)
     calls = tuple(call for call in recording.calls if call.by == "judge" or call.t <= until)
     return replace(recording, topics=topics, calls=calls)
 
@@ -95,7 +95,7 @@ def test_what_went_on_or_stopped_as_well_did_so(stem: str, seed: int) -> None:
             pauses = [after - before for before, after in zip(times, times[1:], strict=False)]
             silence = re.search(r"a silence of ([\d.]+) s after ([\d.]+) s", result.saw)
             if silence is None:
-                assert recording.simulated_s - times[-1] <= 2.5 * max(pauses) + 0.3, result.saw
+                assert recording.watched_s - times[-1] <= 2.5 * max(pauses) + 0.3, result.saw
             else:
                 begin = float(silence[2])
                 assert any(begin < t < begin + float(silence[1]) for t in times), result.saw

@@ -148,7 +148,7 @@ def test_what_still_arrived_before_a_callback_failed_does_not_decide(arrived: in
 @pytest.mark.parametrize("arrived", range(2))
 def test_a_callback_that_fails_before_the_node_can_be_seen_is_a_start_that_failed(arrived: int) -> None:
     seen = on_topic(BATTERY.name, FLOAT, every(0.1, arrived))
-    brief = replace(recorded(seen, process=ended_by_itself(IN_A_CALLBACK)), simulated_s=0.3)
+    brief = replace(recorded(seen, process=ended_by_itself(IN_A_CALLBACK)), watched_s=0.3)
     refuses(see.program_runs(brief), "NameError")
 
 

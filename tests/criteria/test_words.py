@@ -1,6 +1,7 @@
 """Every verdict that is not passed has a cause of its own."""
 
 import ast
+import importlib
 import subprocess
 import sys
 from collections import Counter
@@ -10,9 +11,11 @@ import pytest
 
 import workbook.criteria as see
 from tests.criteria.causes_in import ROOT, Source, exercises, is_cause, vocabulary
+from workbook.criteria.rules import CatalogError
+from workbook.criteria.vocabulary import stops
 
+VOCABULARY = ROOT / "workbook" / "criteria" / "vocabulary"
 FILES = (*vocabulary(), *exercises())
-LONGEST_FUNCTION = 40
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
@@ -29,13 +32,6 @@ def test_a_cause_stands_in_one_place(path: Path) -> None:
     """Once in an exercise and the vocabulary together: so a verdict that is passed on keeps an id of its own."""
     named = [cause for one in (path, *vocabulary()) for cause in Source(one).causes()]
     assert not [cause for cause, times in Counter(named).items() if times > 1]
-
-
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_no_function_is_longer_than_a_screen(path: Path) -> None:
-    for function in Source(path).functions():
-        lines = (function.end_lineno or 0) - function.lineno + 1
-        assert lines <= LONGEST_FUNCTION, f"{path}:{function.lineno}: {function.name} has {lines} lines"
 
 
 @pytest.mark.parametrize("path", exercises(), ids=lambda path: path.stem)
@@ -71,6 +67,21 @@ def test_what_is_no_cause_is_refused(cause: str) -> None:
 
 def test_a_passed_verdict_has_no_cause() -> None:
     assert see.passed("all is well").cause == ""
+
+
+@pytest.mark.parametrize("catalog", sorted(VOCABULARY.glob("*.toml")), ids=lambda path: path.stem)
+def test_each_catalog_of_the_vocabulary_is_opened_by_its_module(catalog: Path) -> None:
+    module = importlib.import_module(f"workbook.criteria.vocabulary.{catalog.stem}")
+    assert isinstance(module.WORDS, see.Words)
+    assert module.WORDS.path == catalog
+
+
+def test_importing_the_criteria_refuses_words_of_the_vocabulary_that_no_cause_uses(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(stops.WORDS.entries, "signal.odd", {})
+    with pytest.raises(CatalogError, match=r"stops\.toml.*signal\.odd"):
+        importlib.reload(see)
 
 
 NO_ROS = """

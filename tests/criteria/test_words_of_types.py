@@ -8,6 +8,7 @@ import pytest
 
 from tests.criteria.by_hand import recorded
 from workbook.criteria import Recording, Verdict
+from workbook.criteria.rules import Reason
 from workbook.criteria.vocabulary.mypy_reasons import REASONS
 from workbook.criteria.vocabulary.type_checks import (
     Probe,
@@ -38,9 +39,8 @@ def said(*found: Finding) -> Recording:
 
 
 def objects(recording: Recording, one: Probe = WRONG) -> Verdict:
-    return mypy_objects(
-        recording, one, cause="objects.any", because="The hint is Any.", try_this="Write float."
-    )
+    why_not = Reason("objects.any", {"because": "The hint is Any.", "try": "Write float."})
+    return mypy_objects(recording, one, why_not)
 
 
 def whole(verdict: Verdict) -> str:
@@ -153,8 +153,8 @@ def test_each_kind_of_finding_has_its_reason(program: str, words: str) -> None:
 
 
 def test_every_reason_and_every_advice_is_a_sentence() -> None:
-    for reason in REASONS:
-        assert reason.because.endswith(".") and reason.try_this.endswith(".")
+    for reason, _, _ in REASONS:
+        assert all(text.endswith(".") for text in reason())
 
 
 def test_an_unfinished_check_is_no_proof_of_anything() -> None:

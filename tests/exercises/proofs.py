@@ -2,7 +2,7 @@
 
 import os
 import zlib
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +10,6 @@ from pathlib import Path
 from tests.calm import await_calm
 from tests.exercises import stored_proofs
 from tests.exercises.few_wrong_answers import few_that_break_all
-from tests.exercises.pacing import IdleShare, Pace, in_parts, paced
 from workbook.authoring.tree import Tree
 from workbook.authoring.wrong_answers import WrongAnswer, read_header, read_wrong_answer
 from workbook.cli.grade_options import SLOTS_PER_CORE
@@ -43,7 +42,6 @@ IN_LINE_SHARE = 0.02
 TAKEN_SHARE = 0.03
 Key = tuple[str, str]
 """Exercise and answer, such as ("05_timers", "wrong/too_fast.py")."""
-Judged = tuple[Job[Key], Judgement]
 
 
 def read(path: Path) -> WrongAnswer:
@@ -94,16 +92,18 @@ class Pool:
 
     @property
     def slots(self) -> int:
-        """How many are at work at once on simulated time.
+        """How many are at work at once, and up to three times as many while the processors are idle.
 
-        Of the wrong answers, many go on to the wall clock and wait there most of the time. Right ones are at work as
-        long as they have a slot: half as many are enough.
+        On the wall clock, answers wait most of the time. On simulated time, many wrong ones go on to the wall clock,
+        but right ones are at work as long as they have a slot: half as many are enough.
         """
+        if not self.on_simulated_time:
+            return 2 * CORES
         return CORES * (1 if self.soak else SLOTS_PER_CORE["simulated"])
 
 
 class Proofs:
-    """All chosen answers, judged side by side: on simulated time as graders do it, on the wall clock paced."""
+    """All chosen answers, judged side by side as graders do it: those with the same clock together."""
 
     def __init__(self, chosen: Collection[Key]) -> None:
         ARTIFACTS.mkdir(exist_ok=True)
@@ -151,34 +151,15 @@ class Proofs:
         """Judge all answers that have the clock of this one, side by side."""
         MACHINE[on_simulated_time].write_text("\t".join(COLUMNS) + "\n", encoding="utf-8")
         pools = [pool for pool in self._jobs if pool.on_simulated_time == on_simulated_time]
-        if on_simulated_time:
-            with ThreadPoolExecutor(max(1, len(pools))) as threads:
-                list(threads.map(self._judge_on_simulated_time, pools))
-        else:
-            jobs = [job for pool in pools for job in self._jobs[pool].values()]
-            self._judge_once(jobs, self._judge_paced)
+        with ThreadPoolExecutor(max(1, len(pools))) as threads:
+            list(threads.map(self._judge_pool, pools))
 
-    def _judge_on_simulated_time(self, pool: Pool) -> None:
-        def judge(some: Sequence[Job[Key]]) -> Iterator[Judged]:
-            return judge_all(some, pool.slots, soak=pool.soak, isolation=self._isolation, fills=True)
-
-        self._judge_once([*self._jobs[pool].values()], judge)
-
-    def _judge_paced(self, some: Sequence[Job[Key]]) -> Iterator[Judged]:
-        by_pool = [[job for job in some if self._pools[job.key] == pool] for pool in self._jobs]
-        parts = [part for jobs in by_pool for part in in_parts(jobs)]
-
-        def judge(part: Sequence[Job[Key]]) -> Iterator[Judged]:
-            soak = self._pools[part[0].key].soak
-            return judge_all(part, 1, soak=soak, isolation=self._isolation)
-
-        return paced(parts, judge, Pace(), IdleShare())
-
-    def _judge_once(
-        self, jobs: Sequence[Job[Key]], judge: Callable[[Sequence[Job[Key]]], Iterator[Judged]]
-    ) -> None:
+    def _judge_pool(self, pool: Pool) -> None:
         """The first try of each. The others come later, alone: here they would meet the same busy machine."""
-        for job, judgement in judge(jobs):
+        jobs = self._jobs[pool].values()
+        for job, judgement in judge_all(
+            jobs, pool.slots, soak=pool.soak, isolation=self._isolation, fills=True
+        ):
             self._note(job.key, judgement, 1)
 
     def _judge_alone(self, key: Key) -> None:
@@ -210,6 +191,6 @@ def was_busy(judgement: Judgement) -> bool:
     longest = max(seen.held_up_s, seen.stood_still_s)
     return (
         longest > CALM_S
-        or seen.in_line_s > IN_LINE_SHARE * seen.simulated_s
-        or seen.taken_s > TAKEN_SHARE * seen.simulated_s
+        or seen.in_line_s > IN_LINE_SHARE * seen.watched_s
+        or seen.taken_s > TAKEN_SHARE * seen.watched_s
     )

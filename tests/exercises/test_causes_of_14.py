@@ -1,5 +1,6 @@
 """Exercise 14 on a recording of a right answer with one fault: it costs what the table says for it."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -11,7 +12,8 @@ from workbook.criteria.runner import run_criteria
 from workbook.exercise.definition import load_exercise
 
 STEM, FILTERED = "14_arrays_and_filters", "/robot/joint_states"
-CRITERIA = load_exercise(STEM, ROOT).criteria
+EXERCISE = load_exercise(STEM, ROOT)
+CRITERIA, GIVEN = EXERCISE.criteria, EXERCISE.constants
 Value = dict[str, Any]
 
 
@@ -65,3 +67,51 @@ def test_an_angle_alone_is_not_judged_as_a_filter() -> None:
     found = lost(lambda number, value: {**value, "position": value["position"][:1]})
     assert found["labels_kept"] == "labels-kept.other-length"
     assert set(found.values()) == {"labels-kept.other-length", "skipped"}
+
+
+def test_infinite_angles_of_both_signs_are_told() -> None:
+    def infinite(number: int, value: Value) -> Value:
+        return {**value, "position": [math.inf if number % 2 else -math.inf, *value["position"][1:]]}
+
+    assert lost(infinite)["noise_reduced"] == "noise-reduced.no-number"
+
+
+def test_a_program_that_ended_before_the_restart_is_not_said_to_miss_it() -> None:
+    seen = right(STEM)
+    topic, messages = seen.topic(FILTERED), [one.value for one in seen.published]
+    each_second = [
+        replace(one, value=message if message["header"]["stamp"]["nanosec"] == 0 else one.value)
+        for one, message in zip(topic.arrivals[:150], messages, strict=False)
+    ]
+    ended = replace(
+        seen,
+        topics={**seen.topics, FILTERED: replace(topic, arrivals=tuple(each_second))},
+        process=replace(seen.process, ended_by="itself", exit=0, ended_at=topic.arrivals[150].wall),
+    )
+    found = {one.id: one.cause for one in run_criteria(CRITERIA, ended)}
+    assert found["restart_noticed"] == "silence.program-ended"
+
+
+class TestTheMessagesThatTheJudgeSends:
+    def test_a_nan_comes_while_the_joints_stand_again(self) -> None:
+        stands_again = range(GIVEN["STANDS"] + GIVEN["MOVES"], GIVEN["STILL_UNTIL"])
+        assert all(place in stands_again for place in GIVEN["NAN_AT"])
+
+    def test_noise_is_measured_in_the_standstills_that_the_task_tells(self) -> None:
+        restart, settled = GIVEN["RESTART"], GIVEN["SETTLED"]
+        assert set(GIVEN["STEADY"]) == {
+            *range(settled, GIVEN["STANDS"]),
+            *range(
+                restart + settled, GIVEN["RESTART_AGAIN"] - 4
+            ),  # answers just before a restart may be mixed
+        }
+
+    def test_neither_nanosec_alone_nor_rising_stamps_show_a_restart(self) -> None:
+        for start in (GIVEN["RESTART"], GIVEN["RESTART_AGAIN"]):
+            before, after = (GIVEN["SAMPLES"][start + n].stamp for n in (-1, 0))
+            assert after < before and after[1] > before[1]
+
+    def test_each_has_its_own_stamp_and_no_group_divides_their_number(self) -> None:
+        samples = GIVEN["SAMPLES"]
+        assert len({sample.stamp for sample in samples}) == len(samples)
+        assert all(len(samples) % size for size in range(2, len(samples)))

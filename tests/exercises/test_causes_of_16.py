@@ -20,7 +20,7 @@ SEED = 1
 RUN = NAMES["drawn"](SEED)
 SENT = [0.5 + place / 30 for place in range(NAMES["PICTURES"])]
 FELT = [0.5 + number / 50 for number in range(len(RUN.samples))]
-FALLEN = FELT[RUN.events.fall_sample]
+FALLEN = FELT[RUN.fall_sample]
 GLARING = SENT[RUN.in_glare[0]]
 LOG = "[ERROR] [desk_watcher]: The model gave up: glare: 97% of the picture is white"
 DETECTIONS, STATUS = "/robot/detections", "/robot/status"
@@ -31,7 +31,7 @@ def markers(place: int) -> dict[str, Any]:
     """All toys of a picture, with its stamp."""
     sec, nanosec = RUN.views[place].stamp
     header = {"stamp": {"sec": sec, "nanosec": nanosec}, "frame_id": ""}
-    toys = RUN.all_toys(place)
+    toys = RUN.toys[place]
     return {
         "markers": [
             {"header": header, "ns": toy.label, "pose": {"position": {"x": toy.u, "y": toy.v, "z": 0.0}}}

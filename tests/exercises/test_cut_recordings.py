@@ -30,7 +30,7 @@ def cut(recording: Recording, share: float) -> Recording:
         topics=topics,
         published=tuple(one for one in recording.published if one.t < until),
         unpublished=tuple(one for one in recording.published if one.t >= until),
-        simulated_s=until,
+        watched_s=until,
     )
 
 

@@ -268,7 +268,7 @@ def watched(wrong: type[Dashboard], seed: int) -> Recording:
         Published(part.topic, one.at, one.at, one.value) for part in (status, heart) for one in part.lines
     ]
     said.sort(key=lambda one: one.t)
-    return replace(recorded(line, alarm, *heard), published=tuple(said), simulated_s=end)
+    return replace(recorded(line, alarm, *heard), published=tuple(said), watched_s=end)
 
 
 def unzipped(pairs: Sequence[tuple[float, object]]) -> tuple[list[float], list[object]]:

@@ -28,21 +28,19 @@ def test_03_has_every_kind_of_level_as_often_as_the_task_tells(seed: int) -> Non
     [line] = words("03_publishers_and_messages", seed, "/driver/calls")
     levels = line.splitlines()
     assert len(levels) == made["COUNT"]
-    kinds = ("is_float", "is_empty", "is_other_number", "is_no_number", "looks_like_number", "is_not_finite")
-    assert [sum(map(made[kind], levels)) for kind in kinds] == [10, 2, 12, 6, 4, 6]
+    kinds = [*map(made["kind_of"], levels)]
+    names = ("FLOAT", "EMPTY", "OTHER_NUMBER", "NO_NUMBER", "LOOK_ALIKE", "NOT_FINITE")
+    assert [kinds.count(made[name]) for name in names] == [10, 2, 12, 6, 4, 6]
     once_more = made["AT_ONCE"] - 2
     assert levels[once_more - 1] == levels[once_more]
     assert made["number_in"](levels[once_more]) != made["number_in"](levels[once_more + 1]) is not None
     errors = [n for n, level in enumerate(levels) if made["number_in"](level) is None]
     assert any(later > error + 1 for error, later in pairwise(errors))
-    assert errors[0] >= 6 and made["is_float"](
-        next(level for level in reversed(levels) if made["number_in"](level) is not None)
-    )
-    for before, level in pairwise(levels):
-        assert not made["is_not_finite"](level) or made["number_in"](before) not in (None, 100.0)
-    assert min(map(levels.index, made["BOOLS"])) < min(
-        n for n, level in enumerate(levels) if made["looks_like_number"](level) and level not in made["BOOLS"]
-    )
+    assert errors[0] >= 6
+    assert [kind for kind in kinds if kind in made["NUMBERS"]][-1] == made["FLOAT"]
+    for before, kind in zip(levels, kinds[1:], strict=False):
+        assert kind != made["NOT_FINITE"] or made["number_in"](before) not in (None, 100.0)
+    assert levels[kinds.index(made["LOOK_ALIKE"])] in made["BOOLS"]
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))

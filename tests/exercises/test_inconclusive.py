@@ -129,7 +129,7 @@ def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
     assert "its host gave one of its processors to others for 0.60 s" in inconclusive_reason(taken)
     assert inconclusive_reason(replace(taken, stood_still_s=0.2)) == ""
     assert Recording.from_json(taken.to_json()).stood_still_s == 0.6
-    often = replace(slow, held_up_s=0.0, simulated_s=10.0, taken_s=1.6)
+    often = replace(slow, held_up_s=0.0, watched_s=10.0, taken_s=1.6)
     assert "gave its processors to others for 1.6 s of 10 s" in inconclusive_reason(often)
     assert inconclusive_reason(replace(often, taken_s=1.0)) == ""
     assert Recording.from_json(often.to_json()).taken_s == 1.6
@@ -161,16 +161,14 @@ def test_a_single_late_message_leaves_a_doubt_and_a_wrong_pace_none() -> None:
 def test_a_long_pause_is_no_late_message_unless_the_machine_kept_it() -> None:
     paused = one_late(stored("solution"), "/robot/status", slice(2, None), 3.0)
     assert inconclusive_reason(paused) == ""
-    assert "3.00 s late" in inconclusive_reason(
-        replace(paused, held_up_s=0.05, simulated_s=100.0, taken_s=3.1)
-    )
+    assert "3.00 s late" in inconclusive_reason(replace(paused, held_up_s=0.05, watched_s=100.0, taken_s=3.1))
 
 
 class Stumbling:
     """A watch whose pauses last much longer than asked for, as on a machine that gives it no processor."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
-        original = wall_time._pause
+        original = wall_time.sleep
         self.left = seconds
 
         def pause(asked: float) -> None:
@@ -178,7 +176,7 @@ class Stumbling:
             more, self.left = self.left, 0.0
             original(more)
 
-        monkeypatch.setattr(wall_time, "_pause", pause)
+        monkeypatch.setattr(wall_time, "sleep", pause)
 
 
 def judge_on_the_wall_clock(text: str) -> Judgement:
@@ -189,21 +187,19 @@ def judge_on_the_wall_clock(text: str) -> Judgement:
 
 
 def test_a_program_that_got_no_processor_leaves_everything_it_did_in_doubt() -> None:
-    eleven = replace(stored("eleven_values"), clock="wall", simulated_s=9.0, in_line_s=1.2)
+    eleven = replace(stored("eleven_values"), clock="wall", watched_s=9.0, in_line_s=1.2)
     assert "waited for a processor for 1.2 s of 9 s" in inconclusive_reason(eleven)
     assert inconclusive_reason(replace(eleven, in_line_s=0.6)) == ""
-    late = replace(stored("period_for_frequency"), clock="wall", simulated_s=9.0, in_line_s=0.6)
+    late = replace(stored("period_for_frequency"), clock="wall", watched_s=9.0, in_line_s=0.6)
     assert "waited for a processor for 0.6 s of 9 s" in inconclusive_reason(late), (
         "where time was lost, less is enough"
     )
     assert inconclusive_reason(replace(late, in_line_s=0.4)) == ""
     assert inconclusive_reason(replace(eleven, clock="simulated")) == ""
-    assert (
-        inconclusive_reason(replace(stored("solution"), clock="wall", simulated_s=9.0, in_line_s=1.2)) == ""
-    )
+    assert inconclusive_reason(replace(stored("solution"), clock="wall", watched_s=9.0, in_line_s=1.2)) == ""
     crashed = stored("raises_at_once")
     assert crashed.process.exit == 1
-    assert inconclusive_reason(replace(crashed, clock="wall", simulated_s=0.5, in_line_s=0.1)) == ""
+    assert inconclusive_reason(replace(crashed, clock="wall", watched_s=0.5, in_line_s=0.1)) == ""
 
 
 def test_a_criterion_may_blame_the_machine() -> None:
@@ -310,7 +306,7 @@ def test_a_crash_at_ctrl_c_excuses_no_other_criterion() -> None:
 
 @pytest.mark.parametrize("cause", ["exits-cleanly.crashed", "exits-cleanly.overtaken"])
 def test_a_busy_machine_disturbs_the_end_as_well(cause: str) -> None:
-    found = doubt_of_end(cause, clock="wall", simulated_s=10.0, in_line_s=2.0)
+    found = doubt_of_end(cause, clock="wall", watched_s=10.0, in_line_s=2.0)
     assert "so busy" in found.reason and not found.end_only
 
 
@@ -376,6 +372,7 @@ if not os.path.exists({marker!r}):
 """
 
 
+@pytest.mark.whole
 def test_a_right_answer_whose_end_rclpy_has_spoiled_once_gets_full_marks(tmp_path: Path) -> None:
     exercise = load_exercise("01_the_context", ROOT)
     marker = tmp_path / "met"
@@ -387,9 +384,9 @@ def test_a_right_answer_whose_end_rclpy_has_spoiled_once_gets_full_marks(tmp_pat
     provisional: list[Judgement] = []
     with Observer() as observer:
         judgement = until_sure(lambda: Judge(observer).judge(exercise, answer), provisional.append)
-    [spoiled] = provisional
-    assert "overtaken" in spoiled.inconclusive_reason
-    assert [one.cause for one in spoiled.criteria if one.status == "failed"] == [END_OVERTAKEN]
+    # A busy machine may disturb another try besides.
+    [spoiled] = [one for one in provisional if "overtaken" in one.inconclusive_reason]
+    assert END_OVERTAKEN in {one.cause for one in spoiled.criteria if one.status == "failed"}
     assert judgement.full_marks and not judgement.inconclusive_reason, as_text(judgement)
 
 

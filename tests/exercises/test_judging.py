@@ -138,7 +138,7 @@ def calls_of_publish_level(delay: float) -> Recording:
     return Recording(
         clock="wall",
         domain_id=17,
-        simulated_s=4.5,
+        watched_s=4.5,
         wall_s=5.0,
         topics={
             "/driver/report": topic("/driver/report", "String", said),

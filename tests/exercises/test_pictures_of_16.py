@@ -49,8 +49,8 @@ def without_glare(run: Any) -> list[int]:
 
 def is_right(run: Any, place: int, found: list[Any]) -> bool:
     names = judge()
-    toys = tuple(names["Toy"](one.label, one.u, one.v) for one in found)
-    right: bool = names["is_right"](run, place, names["Answered"](place, (), toys, 0.0))
+    toys = [names["Toy"](one.label, one.u, one.v) for one in found]
+    right: bool = names["Message"](run, place, toys).is_right
     return right
 
 
@@ -67,7 +67,7 @@ def test_it_raises_in_glare_and_in_no_other_picture(run: Any, monkeypatch: pytes
     monkeypatch.setattr(SlowDetector, "LOADING_S", 0.0)
     monkeypatch.setattr(SlowDetector, "SECONDS", 0.0)
     slow = SlowDetector()
-    edges = [place for glare in run.events.glare_s for at in glare for place in [round(30 * at)]]
+    edges = [place for glare in run.glare_s for at in glare for place in [round(30 * at)]]
     for place in sorted({*edges, *(edge - 1 for edge in edges), *without_glare(run)[::3]}):
         if place not in run.in_glare:
             slow(pixels(run, place)[:, :, ::-1])
@@ -88,14 +88,14 @@ def test_a_fall_is_the_tenth_tilted_sample_in_a_row_and_no_jolt_is_one(run: Any)
     for number, tilt in enumerate(tilts(run)):
         in_a_row = in_a_row + 1 if tilt > names["TILT_DEG"] else 0
         if in_a_row >= names["TILTED_SAMPLES"]:
-            assert number == run.events.fall_sample
+            assert number == run.fall_sample
             break
         most = max(most, in_a_row)
     assert in_a_row == names["TILTED_SAMPLES"] and most == names["TILTED_SAMPLES"] - 1
 
 
 def test_what_happens_is_far_enough_apart_to_tell_mistakes_from_each_other(run: Any) -> None:
-    what, names = run.events, judge()
+    what, names = run, judge()
     (first, first_end), (second, second_end) = what.glare_s
     leans, fall = what.leaning.first / 50, what.fall.first / 50
     jolted = max(jolt.end for jolt in what.jolts if jolt.end < what.leaning.first) / 50
@@ -113,6 +113,13 @@ def test_what_happens_is_far_enough_apart_to_tell_mistakes_from_each_other(run: 
 
 
 def test_no_moment_suits_the_fall_of_many_runs() -> None:
-    falls = [judge()["drawn"](seed).events.fall for seed in range(SEEDS)]
+    falls = [judge()["drawn"](seed).fall for seed in range(SEEDS)]
     spans = [(one.first / 50, (one.first + 9) / 50 + judge()["FALL_WITHIN_S"]) for one in falls]
     assert max(sum(begin <= at <= end for begin, end in spans) for at, _ in spans) <= SEEDS * 0.4
+
+
+def test_the_glare_the_lean_and_the_jolts_are_those_that_the_task_and_the_feedback_tell(run: Any) -> None:
+    assert sum(end - begin for begin, end in run.glare_s) == pytest.approx(1.2)
+    assert (run.leaning.deg, run.fall.deg) == (55.0, 65.0)
+    first, second = run.jolts[-2:]
+    assert (second.count, second.first - first.end) == (9, 6)

@@ -311,7 +311,7 @@ def test_07_what_the_node_reports_while_it_is_called_is_its_own() -> None:
     battery = on_topic("/robot/battery", FLOAT, moments, [99.875, 99.75, 42.0, 99.625, 55.2, 99.5])
     status = on_topic("/robot/status", TEXT, [2.62, 2.63], ["operational", "error"])
     seen = recorded(battery, status, on_topic("/driver/report", TEXT, [2.7], [""]))
-    own = made["by_itself"](replace(seen, published=(Published("/driver/go", 2.6, 2.6, {"data": "go"}),)))
+    own = made["Use"](replace(seen, published=(Published("/driver/go", 2.6, 2.6, {"data": "go"}),))).own
     assert [one.value["data"] for one in own.topic("/robot/battery").arrivals] == [
         99.875,
         99.75,

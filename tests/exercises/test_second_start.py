@@ -39,9 +39,15 @@ def in_real_time(process: ProcessRecord = ALIVE, lasts_s: float = REAL_S, **chan
         for name, topic in recording.topics.items()
     }
     real = replace(
-        recording, clock="wall", phases=(), follows_clock=None, following={}, in_lockstep=False, step_s=None
+        recording,
+        clock="wall",
+        stretches=(),
+        follows_clock=None,
+        following={},
+        in_lockstep=False,
+        step_s=None,
     )
-    return replace(real, simulated_s=lasts_s, topics=topics, process=process, **changes)
+    return replace(real, watched_s=lasts_s, topics=topics, process=process, **changes)
 
 
 def silent(recording: Recording, topic: str) -> Recording:
@@ -147,7 +153,7 @@ def test_a_disturbed_second_start_never_counts(delay_s: float) -> None:
     judgement = judged(in_simulated_time(), real)
     assert lost(judgement) == {"status_kept"}
     assert judgement.watched_real_life
-    assert judgement.is_disturbed is (delay_s > 0.0)
+    assert judgement.is_inconclusive is (delay_s > 0.0)
 
 
 def test_when_it_is_enough_simulated_time_alone_counts() -> None:

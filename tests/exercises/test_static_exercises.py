@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.criteria import criterion, mypy_clean, mypy_objects, probe
+from workbook.criteria import Reason, criterion, mypy_clean, mypy_objects, probe
 from workbook.exercise import judging
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
@@ -54,7 +54,9 @@ def clean(recording):  # type: ignore[no-untyped-def]
 
 @criterion(points=1, title="Guarded")
 def guarded(recording):  # type: ignore[no-untyped-def]
-    return mypy_objects(recording, MISUSE, cause="guarded.no-hint", because="No hint.", try_this="Add one.")
+    return mypy_objects(
+        recording, MISUSE, Reason("guarded.no-hint", {"because": "No hint.", "try": "Add one."})
+    )
 
 
 def exercise(kind: str) -> Exercise:

@@ -53,7 +53,7 @@ def in_real_time(recording: Recording, **changes: Any) -> Recording:
 def stretched(recording: Recording, topic: str, factor: float) -> Recording:
     """The recording with the messages of a topic at another rate, as many as the watch has time for."""
     arrivals = [replace(one, t=one.t * factor) for one in recording.topic(topic).arrivals]
-    kept = tuple(one for one in arrivals if one.t <= recording.simulated_s)
+    kept = tuple(one for one in arrivals if one.t <= recording.watched_s)
     changed = replace(recording.topic(topic), arrivals=kept)
     return replace(recording, topics={**recording.topics, topic: changed})
 
@@ -83,7 +83,7 @@ def lost(judgement: Judgement) -> set[str]:
         ({"following": {STATUS: True}}, True),
         ({"following": dict.fromkeys(EXERCISE.periods, False)}, True),
         ({"process": replace(ENDED, watched_for=14.0)}, False),
-        ({"process": ENDED, "simulated_s": 2.0}, True),
+        ({"process": ENDED, "watched_s": 2.0}, True),
         ({"process": ENDED, "topics": {}}, True),
         ({"clock": "wall", "follows_clock": False}, False),
         ({"clock": "wall", "follows_clock": False, "process": ENDED}, True),
@@ -153,7 +153,7 @@ def test_the_wall_clock_watches_as_planned_where_nothing_stopped() -> None:
 def test_the_wall_clock_does_not_watch_for_ever() -> None:
     arrivals = 3 * seen().topic(STATUS).arrivals
     many = replace(seen().topic(STATUS), arrivals=arrivals)
-    recording = seen(simulated_s=100.0, topics={STATUS: many})
+    recording = seen(watched_s=100.0, topics={STATUS: many})
     assert (len(arrivals) + STOPPED_PERIODS) * PERIOD_S > MOST_WALL_S
     assert plan_on_wall_clock(EXERCISE, judged(recording)).wall_s == EXERCISE.plan.wall_s
 
@@ -195,7 +195,7 @@ def test_clocks_that_contradict_each_other_leave_a_doubt_unless_robot_time_prove
     [
         (in_real_time(seen()), "simulated", set()),
         (in_real_time(seen(), process=replace(ENDED, ended_at=6.0)), "simulated", {"alive_at_end"}),
-        (in_real_time(seen(), simulated_s=0.4, process=ENDED), "wall", {"alive_at_end"}),
+        (in_real_time(seen(), watched_s=0.4, process=ENDED), "wall", {"alive_at_end"}),
         (in_real_time(stretched(seen(), STATUS, 3.0)), "wall", {"status_kept"}),
         (in_real_time(seen("eleven_values")), "wall", {"twelve_values"}),
     ],

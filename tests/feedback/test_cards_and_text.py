@@ -329,7 +329,7 @@ def test_the_text_shows_each_criterion_and_the_first_to_mend_in_full() -> None:
         assert len(re.findall(rf"^ +{label}", text, re.MULTILINE)) == 1, label
     assert "✗   0/2  /robot/joint_positions carries Float32MultiArray" in text
     assert "–   0/1  Every message has exactly 12 values" in text
-    assert "✓   1/1  /robot/status is as it was" in text
+    assert "✓   1/1  /robot/status is unchanged" in text
     assert max(map(len, text.splitlines())) <= 120
 
 
@@ -422,12 +422,18 @@ def test_full_marks_are_a_moment() -> None:
     moment = Moment("You gained 10 points.", "10 · Slow <callbacks>", "../notebooks/10_slow.ipynb", film)
     page = as_html(judged("solution"), Extras(moment=moment))
     assert "You gained 10 points." in page
-    assert '<a href="../notebooks/10_slow.ipynb">10 · Slow &lt;callbacks&gt;</a>' in page
+    link = re.search(r'<a href="../notebooks/10_slow.ipynb" [^>]*>(.*?)</a>', page)
+    assert link and link[1] == "Next: 10 · Slow &lt;callbacks&gt; &rarr;"
     assert 'alt="Your robot moves."' in page
     assert "data:image/webp;base64,ZmlsbQ==" in page
     assert "prefers-reduced-motion" in page
     without_film = as_html(judged("solution"), Extras(moment=replace(moment, film=None)))
     assert "You gained" in without_film and "image/webp" not in without_film
+    assert "workbook-figure" not in page + without_film
+    replaying = replace(moment, film=Film(b"", b"still", "Your robot."), replays=True)
+    page = as_html(judged("solution"), Extras(moment=replaying))
+    assert '<div class="workbook-figure"' in page and "data:image/png;base64,c3RpbGw=" in page
+    assert "image/webp" not in page
     assert "You gained" not in as_html(judgement_as_provisional(judged("solution")), Extras(moment=moment))
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from workbook.feedback.moment import POSES, film_of, gained, what_comes_next
+from workbook.feedback.moment import POSES, film_of, gained, still_of, what_comes_next
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -43,6 +43,7 @@ def test_the_robot_moves_as_the_program_said(recording: Recording) -> None:
     )
     still = film_of(replace(recording, topics={**recording.topics, topic.name: other})).still
     assert still != film.still, "the last picture comes from the recording"
+    assert still_of(recording).still == film.still and not still_of(recording).moving
 
 
 @pytest.mark.parametrize("value", [{"data": [1.0] * 11}, {"data": ["NaN"] * 12}, {"data": 7}, None])
@@ -50,7 +51,7 @@ def test_the_robot_waves_where_there_is_no_pose(recording: Recording, value: obj
     topic = recording.topics["/robot/joint_positions"]
     other = replace(topic, arrivals=(replace(topic.arrivals[0], value=value),))
     film = film_of(replace(recording, topics={**recording.topics, topic.name: other}))
-    assert film.text == "The robot waves."
+    assert film.text == still_of(replace(recording, topics={topic.name: other})).text == "The robot waves."
     assert len(set(frames(film.moving))) > 10
 
 

@@ -1,8 +1,8 @@
-"""Gives criteria a budget of time, in whichever thread they are asked for: what takes longer is interrupted.
+"""Give criteria a time budget in any thread, and interrupt work that exceeds it.
 
-The work runs in a thread of its own, which an exception interrupts between two steps of Python. A single call that
-stays inside C code, such as a search with a regular expression, ends first. In a slot, the deadline of the answer
-bounds that as well: the grader kills the slot then, and the answer has an `infra_error`.
+The work runs in a separate thread, which an exception interrupts between two Python instructions. A single call that
+stays inside C code, such as a regular expression search, has to finish first. In a slot, even such a call ends at the
+answer's deadline: the slot is killed, and the answer gets an `infra_error`.
 """
 
 import ctypes
@@ -12,26 +12,26 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 BUDGET_S = 5.0
-"""Processor time (s) that all criteria together have for one recording: a busy machine takes nothing away from it."""
+"""CPU time (s) for one recording, shared by all criteria. A busy machine doesn't use any of it up."""
 PATIENCE_S = 60.0
-"""Real time (s) for the same, so that work that waits instead of computing ends, too."""
+"""Wall-clock time (s) for the same work. It also stops work that waits instead of computing."""
 GRACE_S = 1.0
-"""Real time (s) that interrupted work has to end. What is inside C code for longer is left behind."""
+"""Wall-clock time (s) for interrupted work to finish. Work that stays inside C code for longer is abandoned."""
 SHORTEST_WAIT_S = 0.01
 
 Made = TypeVar("Made")
 
 
 class OutOfTime(RuntimeError):
-    """Work took more time than its budget."""
+    """Work exceeded its budget."""
 
 
 class _Interrupted(BaseException):
-    """Interrupts work. It is no Exception, so that no `except Exception` of that work catches it."""
+    """Interrupts work. Not an Exception, so that no `except Exception` in that work catches it."""
 
 
 class _Worker(threading.Thread, Generic[Made]):
-    """A thread for one piece of work. When it is done, it stays until it is released: until then its id is its own."""
+    """A thread for one piece of work. It stays alive until it's released, so that its id isn't reused before then."""
 
     made: Made
 
@@ -44,7 +44,7 @@ class _Worker(threading.Thread, Generic[Made]):
         self.done, self.released = threading.Event(), threading.Event()
 
     def run(self) -> None:
-        """Do the work and keep what comes of it."""
+        """Do the work, and store its result or its exception."""
         try:
             self._clock = time.pthread_getcpuclockid(threading.get_ident())
             if self._is_called_off:
@@ -55,17 +55,17 @@ class _Worker(threading.Thread, Generic[Made]):
                 self.error = error
             self.done.set()
             self.released.wait()
-        except _Interrupted:  # it came when the work had just ended
+        except _Interrupted:  # it arrived just after the work had finished
             pass
 
     def used_s(self) -> float:
-        """Processor time (s) that this thread has used so far. Call it before the thread is released."""
+        """Return the CPU time (s) that this thread has used. Call this before the thread is released."""
         return 0.0 if self._clock is None else time.clock_gettime(self._clock)
 
     def interrupt(self) -> None:
-        """Raise an exception in the thread. Call it once at most, before the thread is released."""
+        """Raise an exception in the thread. Call this at most once, and before the thread is released."""
         self._is_called_off = True
-        if self.ident is not None:  # otherwise it has not begun, and will not
+        if self.ident is not None:  # otherwise, the thread hasn't started, and won't do any work
             raise_in = ctypes.pythonapi.PyThreadState_SetAsyncExc
             raise_in(ctypes.c_ulong(self.ident), ctypes.py_object(_Interrupted))
 
@@ -73,9 +73,9 @@ class _Worker(threading.Thread, Generic[Made]):
 def within_budget(
     work: Callable[[], Made], budget_s: float = BUDGET_S, patience_s: float = PATIENCE_S
 ) -> Made:
-    """Return what `work` returns, or raise what it raises.
+    """Run `work`, and return its result or raise its exception.
 
-    Raises OutOfTime when it takes more than `budget_s` of processor time, or more than `patience_s` of real time.
+    Raises OutOfTime if it takes more than `budget_s` of CPU time or more than `patience_s` of wall-clock time.
     """
     worker = _Worker(work)
     deadline = time.monotonic() + patience_s

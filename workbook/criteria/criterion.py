@@ -1,4 +1,4 @@
-"""What a criterion is: one judged statement about a recording, with points."""
+"""Define criteria: judged statements about a recording, with points."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -14,14 +14,14 @@ from workbook.recording.type_names import type_name
 
 CriterionFunction = Callable[[Recording], Verdict]
 Draw = Callable[[Random], Sequence[Part]]
-"""Makes the parts of a script from random numbers."""
+"""A function that generates a script's parts from random numbers."""
 
 
 @dataclass(frozen=True)
 class Criterion:
-    """A judged statement about a recording. It is skipped unless every criterion in `needs` passes.
+    """A judged statement about a recording. It's skipped unless every criterion in `needs` passes.
 
-    `about_end`: it judges how the program ends, and not what it does until then.
+    `about_end`: it judges how the program ends, not how it behaves until then.
     """
 
     id: str
@@ -47,10 +47,10 @@ def criterion(
     hidden: bool = False,
     about_end: bool = False,
 ) -> Callable[[CriterionFunction], Criterion]:
-    """Make a criterion of a function that takes a recording and returns a verdict.
+    """Turn a function that takes a recording and returns a verdict into a criterion.
 
-    `points` may be 0 for a condition that only others need. `about_end`: it judges how the program ends, which a bug in
-    rclpy or Python may spoil. Raises ValueError for negative points or no title.
+    `points` may be 0 for a condition that only other criteria need. `about_end`: it judges how the program ends, which
+    a bug in rclpy or Python may spoil. Raises ValueError for negative points or an empty title.
     """
     if points < 0:
         raise ValueError(f"points are never negative: {points}")
@@ -65,7 +65,7 @@ def criterion(
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic that an exercise asks for: its name, message type and rate in Hz (None if no rate is judged).
+    """A topic that an exercise requires: its name, message type, and rate in Hz (None if no rate is judged).
 
     `features` and `signed`: see `topic`.
     """
@@ -78,12 +78,17 @@ class Topic:
 
     @property
     def short_type(self) -> str:
-        """The type as one writes it in Python, e.g. "Float32"."""
+        """The type's class name in Python, such as "Float32"."""
         return self.type.rsplit("/", 1)[1]
 
     @property
+    def package(self) -> str:
+        """The type's package, such as "std_msgs"."""
+        return self.type.split("/")[0]
+
+    @property
     def period(self) -> float:
-        """Seconds between two messages. Raises ValueError when no rate is judged."""
+        """The time between two messages (s). Raises ValueError if no rate is judged."""
         if self.hz is None:
             raise ValueError(f"{self.name} has no rate to judge")
         return 1.0 / self.hz
@@ -99,20 +104,21 @@ def topic(
 ) -> Topic:
     """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`.
 
-    `features`: for messages with large fields, such as images: by field, a function that is given the message and
-    returns what criteria want to know of it (numbers, texts, lists, dicts). The field itself is kept as `{"length": n,
-    "sha256": "...", "first": [...], "features": what was returned}`; None is kept where the function raised something.
+    `features`: for messages with large fields, such as images. It maps a field's name to a function that takes the
+    message and returns the facts that criteria need (numbers, texts, lists, dicts). The field itself is stored as
+    `{"length": n, "sha256": "...", "first": [...], "features": the returned facts}`. The facts are None if the function
+    raised an exception.
 
-    `signed`: the driver publishes it, and signs each message. Criteria see only what it has signed.
+    `signed`: the driver publishes the topic and signs each message. Criteria see only signed messages.
     """
     return Topic(name, type_name(message_class), hz, features or {}, signed)
 
 
 @dataclass(frozen=True)
 class Watching:
-    """How the recording of an exercise is made, where it differs from the usual.
+    """How an exercise is recorded, as far as it differs from the defaults.
 
-    `script`: the same in each run, or the function that draws one.
+    `script`: a fixed script, or a function that draws one for each run.
     """
 
     simulated_seconds: float | None = None
@@ -123,7 +129,7 @@ class Watching:
     steps_per_period: int = STEPS_PER_PERIOD
 
     def drawn(self, plan: Plan, seed: int) -> Plan:
-        """The plan with a script drawn from `seed`; the same plan where the script is the same in each run."""
+        """Return the plan with a script drawn from `seed`, or the plan itself if the script is fixed."""
         if isinstance(self.script, Script):
             return plan
         return replace(plan, script=Script(tuple(self.script(Random(seed)))), seed=seed)
@@ -140,16 +146,19 @@ def watching(
 ) -> Watching:
     """Declare how to watch, once per criteria file.
 
-    `simulated_seconds`: simulated time to watch in all, instead of nine of the longest period. `wall_seconds`: real
-    time to watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C
-    (SIGINT) before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`:
-    the messages, services and calls that the judge sends to the program meanwhile, made with `publish`, `serves` and
-    `calls`. A program could answer a fixed script from a table. So `script` may be a function: given a `random.Random`,
-    it draws them again for each run. What matters to the criteria must be in each draw, and they judge by what the
-    recording says (`published`, `calls`). `bytes_per_topic`: how many bytes of messages are kept of each topic, those
-    of the judge not counted. Of a field with more than 4096 elements only the beginning, the size and the SHA-256 are
-    kept, and hardly more is counted. `steps_per_period`: into how many steps of simulated time the shortest judged
-    period is divided. Each step costs about two milliseconds: fewer of them make a long watch of a fast topic quicker.
+    `simulated_seconds`: the simulated time to watch; by default, nine times the longest period. `wall_seconds`: the
+    real time to watch on the wall clock; by default, four times the longest period. `to_the_end`: send the program
+    Ctrl-C (SIGINT) before judging it. Criteria then see how it ends, and which of its nodes stay on the graph.
+
+    `script`: the messages, services, and calls that the judge sends to the program, made with `publish`, `serves`, and
+    `calls`. A program could respond to a fixed script from a table. To prevent that, `script` may be a function that
+    takes a `random.Random` and draws new parts for each run. Every draw must contain everything that the criteria need,
+    and the criteria must judge by the recording (`published`, `calls`).
+
+    `bytes_per_topic`: how many bytes of messages are kept per topic, not counting the judge's own. A field with more
+    than 4096 elements is cut to its beginning, its size, and its SHA-256, so it hardly counts toward this limit.
+    `steps_per_period`: the number of steps of simulated time per shortest judged period. Each step takes about two
+    milliseconds, so fewer steps speed up a long watch of a fast topic.
     """
     return Watching(
         simulated_seconds,
@@ -162,22 +171,25 @@ def watching(
 
 
 def watching_in(module: ModuleType) -> Watching:
-    """How a criteria module wants to watch."""
+    """Return the `Watching` that a criteria module declares, or the default one."""
     return next((value for value in vars(module).values() if isinstance(value, Watching)), Watching())
 
 
 def criteria_in(module: ModuleType) -> tuple[Criterion, ...]:
-    """The criteria that a module defines, in the order of their definition."""
+    """Return the criteria that a module defines, in the order of their definition."""
     return tuple(value for value in vars(module).values() if isinstance(value, Criterion))
 
 
 def topics_in(module: ModuleType) -> tuple[Topic, ...]:
-    """The topics that a module declares."""
+    """Return the topics that a module declares."""
     return tuple(value for value in vars(module).values() if isinstance(value, Topic))
 
 
 def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
-    """How finely and how long to watch for these topics. A script that is drawn is missing: see `Watching.drawn`."""
+    """Return the plan for watching these topics: how finely, and for how long.
+
+    A script that is drawn for each run isn't included: see `Watching.drawn`.
+    """
     declared = tuple(topics)
     periods = [one.period for one in declared if one.hz is not None] or [1.0]
     return Plan(

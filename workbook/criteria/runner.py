@@ -1,4 +1,4 @@
-"""Runs criteria over a recording: passed, failed, partial or skipped. An error of ours is never a student's zero."""
+"""Run criteria on a recording: passed, failed, partial, or skipped. A bug of ours never costs a student points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -15,12 +15,12 @@ Status = Literal["passed", "failed", "partial", "skipped"]
 
 
 class CriterionError(RuntimeError):
-    """A criterion itself crashed. The answer cannot be judged; the fault is the criterion's."""
+    """A criterion itself crashed. The answer can't be judged, and the fault is the criterion's."""
 
 
 @dataclass(frozen=True)
 class CriterionResult:
-    """One line of a result."""
+    """The result of one criterion."""
 
     id: str
     title: str
@@ -56,7 +56,10 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
 
 
 def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
-    """What a program publishes is in these texts: no terminal and no page may take it for a command."""
+    """Return the result with its texts sanitized.
+
+    They quote the program's output, which must not act as commands in a terminal or on a page.
+    """
     return CriterionResult(
         id=criterion.id,
         title=criterion.title,
@@ -79,9 +82,9 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
 def run_criteria(
     criteria: Sequence[Criterion], recording: Recording, budget_s: float = BUDGET_S
 ) -> tuple[CriterionResult, ...]:
-    """Judge a recording, with `budget_s` seconds of processor time for all criteria together.
+    """Judge a recording, with `budget_s` seconds of CPU time for all criteria together.
 
-    Raises CriterionError when a criterion crashes, returns no verdict, or uses the budget up.
+    Raises CriterionError if a criterion crashes, returns no verdict, or exhausts the budget.
     """
     results: dict[str, CriterionResult] = {}
     at_work = ""
@@ -105,7 +108,7 @@ def run_criteria(
 
 
 def _verdict(criterion: Criterion, recording: Recording) -> Verdict:
-    """Raises CriterionError."""
+    """Return a criterion's verdict. Raises CriterionError if it crashes or returns something else."""
     try:
         verdict = criterion(recording)
     except (Exception, SystemExit) as error:

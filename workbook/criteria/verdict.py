@@ -1,15 +1,14 @@
-"""The outcome of judging one criterion, in words a student can act on, under a cause id that does not change with them.
+"""The outcome of one criterion: words that a student can act on, and a cause id that stays fixed when the words change.
 
-Whatever is not passed names its cause first: `failed("rate.too-fast", saw, expected, because, try_this)`.
+Every verdict that isn't a pass names its cause first: `failed("rate.too-fast", saw, expected, because, try_this)`.
 
-- An id is `word.reason`, both in kebab-case. In the vocabulary the word is the function that judges ("rate",
-  "program-runs"), in an exercise it is the criterion ("results-told.late").
-- An id stands at exactly one place of a file, as a literal, before the words that belong to it. Two likely causes are
-  two ids: where `because` differs, so does the id. A shared `expected` goes into a variable, a shared pair of
-  arguments into a local function that takes the id first.
-- A verdict that the vocabulary made keeps its own id when an exercise passes it on.
+- An id is `word.reason`, both in kebab-case. In the vocabulary, the word is the judging function ("rate",
+  "program-runs"); in an exercise, it's the criterion ("results-told.late").
+- An id appears exactly once in a file: as the heading of its catalog entry (see `workbook.criteria.rules`), or as a
+  literal before its words. Two likely causes need two ids: if `because` differs, so does the id.
+- A verdict from the vocabulary keeps its id when an exercise passes it on.
 
-Wrong answers name the id that they must get.
+Each wrong answer in the tests names the id that it must get.
 """
 
 import re
@@ -19,21 +18,22 @@ from typing import Literal
 VerdictStatus = Literal["passed", "failed", "partial", "skipped"]
 
 CAUSE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*")
-"""What a cause id looks like: "rate.too-fast"."""
+"""The format of a cause id, such as "rate.too-fast"."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What one criterion found, and why.
+    """The result of one criterion, and the reason for it.
 
-    `saw` and `expected` are facts, `because` the likely reason, `try_this` one next step; `cause` is the id of this
-    reason. `share` is the part of the points that is earned (0 to 1). `about_time` marks failures that depend on rates
-    and silences: if they come from simulated time, the program is judged on the wall clock before they count,
-    unless `pace_of` names the topic whose pace was judged, and that topic is proved to follow simulated time.
-    `recheck_fields` marks values that suggest a wrong type in a message field: the program is then run once more with
-    field checks on, to quote their error.
+    `saw` and `expected` are facts, `because` is the likely reason, and `try_this` is one next step. `cause` is the
+    reason's id. `share` is the earned part of the points (0 to 1).
 
-    Raises ValueError when the cause of a verdict that takes points away is no id.
+    `about_time` marks failures that depend on rates and silences. If such a failure occurs on simulated time, it counts
+    only after the program is judged on the wall clock. The exception is a topic named by `pace_of` that provably
+    follows simulated time. `recheck_fields` marks values that suggest a wrong type in a message field. The program then
+    runs once more with field checks on, to quote their error.
+
+    Raises ValueError if a verdict deducts points but its cause isn't a valid id.
     """
 
     status: VerdictStatus
@@ -53,12 +53,12 @@ class Verdict:
 
     @property
     def ok(self) -> bool:
-        """Whether the criterion passed; a partial pass does not count."""
+        """Whether the criterion passed. A partial pass doesn't count."""
         return self.status == "passed"
 
 
 def passed(saw: str) -> Verdict:
-    """The criterion is met. `saw` says what was seen, with the student's own numbers."""
+    """Pass the criterion. `saw` describes the observation, with the student's own numbers."""
     return Verdict("passed", saw, share=1.0)
 
 
@@ -72,7 +72,7 @@ def failed(
     about_time: bool = False,
     recheck_fields: bool = False,
 ) -> Verdict:
-    """The criterion is not met, for the reason that the id `cause` stands for."""
+    """Fail the criterion, for the reason with the id `cause`."""
     return Verdict(
         "failed",
         saw,
@@ -95,9 +95,9 @@ def partial(
     *,
     about_time: bool = False,
 ) -> Verdict:
-    """A part of the criterion is met. `cause`: why the rest is not met.
+    """Pass part of the criterion. `cause`: why the rest isn't met.
 
-    Raises ValueError when `share` does not lie between 0 and 1.
+    Raises ValueError if `share` isn't strictly between 0 and 1.
     """
     if not 0.0 < share < 1.0:
         raise ValueError(f"a partial verdict has a share between 0 and 1, not {share}")
@@ -107,12 +107,12 @@ def partial(
 
 
 def not_judged(why: str) -> Verdict:
-    """Another criterion has failed, and without it nothing can be said of this one. `why`: what is missing."""
+    """Skip the criterion, because another one that it depends on has failed. `why`: the missing observation."""
     return Verdict("skipped", f"not judged, because {why}")
 
 
 def all_of(*verdicts: Verdict) -> Verdict:
-    """Passed if all of them are, and says what each one saw. Otherwise it is the first one that is not passed."""
+    """Pass if all verdicts pass, and list what each saw. Otherwise, return the first other verdict, as a failure."""
     for verdict in verdicts:
         if not verdict.ok:
             return replace(verdict, status="failed", share=0.0)

@@ -1,4 +1,4 @@
-"""One judgement as a person reads it: the card in a notebook, text in a terminal, Markdown, the words they share.
+"""Present one judgment to a person: as a notebook card, terminal text, or Markdown, with shared wording.
 
-The layers above import `card`, `text`, `markdown` and `wording`. Nothing here judges or runs anything.
+The layers above import `card`, `text`, `markdown`, and `wording`. Nothing here judges or runs anything.
 """

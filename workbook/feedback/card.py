@@ -1,4 +1,4 @@
-"""Feedback as a card in a notebook: readable on light and dark, without styles, and in an untrusted notebook."""
+"""Show feedback as a card in a notebook, readable in light and dark themes, without styles, and if untrusted."""
 
 import base64
 from dataclasses import dataclass
@@ -13,12 +13,12 @@ from workbook.templating import render
 
 @dataclass(frozen=True)
 class Extras:
-    """What a card may carry besides the judgement.
+    """Optional parts of a card in addition to the judgment.
 
     `timeline` is a PNG and `timeline_text` describes it; `has_rates` says whether it shows when messages were due.
-    `is_graded`: the card is part of a gradebook, where no other try follows.
-    `version_line` says which version was judged where the screen could not be asked, and `is_on_screen` is false when
-    it is known to be another. `better_line`: that an earlier version is better. `moment`: what full marks bring.
+    `is_graded`: the card is part of a gradebook, so no other try follows. `version_line` says which version was judged
+    if the screen couldn't be read. `is_on_screen` is false if the screen shows another version. `better_line` says that
+    an earlier version is better. `moment` is the reward for full marks.
     """
 
     file: str = ""
@@ -36,7 +36,7 @@ class Extras:
 
 
 def _state_of(judgement: Judgement, is_on_screen: bool) -> str:
-    """The state of a criterion whose color the whole card has."""
+    """Return the criterion state that determines the whole card's color."""
     if judgement.provisional or not is_on_screen:
         return "partial"
     if wording.all_shown_hold(judgement):
@@ -45,7 +45,7 @@ def _state_of(judgement: Judgement, is_on_screen: bool) -> str:
 
 
 def _headline(judgement: Judgement, extras: Extras) -> str:
-    """The headline, which praises nothing that is not on the screen."""
+    """Return the headline. It doesn't praise a version that isn't on the screen."""
     if extras.is_on_screen or not wording.all_shown_hold(judgement):
         return wording.headline(judgement)
     score, most = map(wording.points, wording.shown_points(judgement))
@@ -53,7 +53,7 @@ def _headline(judgement: Judgement, extras: Extras) -> str:
 
 
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
-    """The card. All text of the program is escaped; a word stands beside each color (see `colors`)."""
+    """Return the card as HTML. The program's text is escaped, and a word stands next to each color (see `colors`)."""
     extras = extras or Extras()
     holds = wording.all_shown_hold(judgement) and extras.is_on_screen
     score, most = wording.shown_points(judgement)
@@ -74,7 +74,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         score=score,
         most=most,
         provisional_line=wording.provisional_line(judgement),
-        doubt_line=wording.doubt_line(judgement, is_graded=extras.is_graded),
+        inconclusive_line=wording.inconclusive_line(judgement, is_graded=extras.is_graded),
         first=wording.first_to_mend(judgement),
         later=wording.also_to_mend(judgement),
         shown=wording.worst_first(judgement),
@@ -91,7 +91,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
 
 
 class Card:
-    """A judgement as JupyterLab shows it; its text form is the same in every run with the same outcome."""
+    """A judgment for display in JupyterLab. Its text form is the same in every run with the same outcome."""
 
     def __init__(self, judgement: Judgement, extras: Extras | None = None) -> None:
         self.judgement = judgement

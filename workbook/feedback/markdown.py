@@ -1,4 +1,4 @@
-"""Feedback as Markdown for a page of GitHub, where no text of a program becomes a link, a picture or a tag."""
+"""Write feedback as Markdown for a GitHub page, where a program's text never becomes a link, an image, or a tag."""
 
 import re
 import string
@@ -14,19 +14,19 @@ _PUNCTUATION = re.compile(f"[{re.escape(string.punctuation)}]")
 
 
 def plain(text: str) -> str:
-    """Text on one line that means nothing but itself, in Markdown and in HTML: all punctuation as entities."""
+    """Return text on one line, with all punctuation as entities, so that it's literal in Markdown and in HTML."""
     return _PUNCTUATION.sub(
         lambda found: f"&#{ord(found[0])};", _SPACE.sub(" ", without_commands(text)).strip()
     )
 
 
 def plain_markup(text: str) -> str:
-    """The same for a template, which is not to escape it once more."""
+    """Return the same for a template, marked so that the template doesn't escape it again."""
     return as_markup(plain(text))
 
 
 def as_markdown(judgement: Judgement) -> str:
-    """The card: the headline, the first thing to fix, every criterion, and what the program printed."""
+    """Return the feedback: the headline, the first thing to fix, every criterion, and the program's output."""
     parts = [f"**{plain(wording.headline(judgement))}**"]
     first = wording.first_to_mend(judgement)
     if first is not None:
@@ -44,7 +44,7 @@ def as_markdown(judgement: Judgement) -> str:
             )
         )
     for line in (
-        wording.doubt_line(judgement, is_graded=True),
+        wording.inconclusive_line(judgement, is_graded=True),
         wording.hidden_line(judgement),
         wording.clock_line(judgement),
     ):

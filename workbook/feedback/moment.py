@@ -1,8 +1,9 @@
-"""What full marks bring onto a card: the student's own robot moves, the points gained, what comes next."""
+"""Show the reward for full marks on a card: the student's own robot moves, next to the points and the next step."""
 
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Literal, cast
 
@@ -10,7 +11,7 @@ from workbook.exercise.source import DEEPER
 from workbook.recording.recording import Recording
 
 POSES = 5
-"""Poses of the recording that the robot goes through: three seconds of film."""
+"""The number of recorded poses that the robot goes through: three seconds of film."""
 POSE_S = 0.6
 FRAMES_PER_S = 10
 WAVE_S = 2.7
@@ -20,7 +21,10 @@ Lamp = Literal["operational", "error"]
 
 @dataclass(frozen=True)
 class Film:
-    """The robot in motion (WebP), its last picture (PNG) for those who want no motion, and both in words."""
+    """The moving robot (WebP), its last frame (PNG) for readers who prefer no motion, and a description of both.
+
+    `moving` is empty if the front end animates the robot itself.
+    """
 
     moving: bytes
     still: bytes
@@ -29,16 +33,20 @@ class Film:
 
 @dataclass(frozen=True)
 class Moment:
-    """What a card with full marks shows besides the judgement. `film` follows when it is drawn."""
+    """The additions to a card with full marks. `film` is added once it's drawn.
+
+    `replays`: the front end animates the robot from the recording, which needs more room than the image alone.
+    """
 
     gained: str = ""
     next_title: str = ""
     next_link: str = ""
     film: Film | None = None
+    replays: bool = False
 
 
 def gained(before: float, now: float, solved: int, of: int) -> str:
-    """What this check earned, in words, and how many exercises are solved now."""
+    """Describe the points that this check earned, and how many exercises are now solved."""
     if now > before > 0:
         points = f"{now - before:g} more {_points(now - before)} than before. "
     elif now > before:
@@ -53,7 +61,7 @@ def _points(number: float) -> str:
 
 
 def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
-    """Title and link, as seen from the exercise, of the lesson after it; both empty after the last one."""
+    """Return the next lesson's title and its link, relative to the exercise; both are empty after the last lesson."""
     lessons = sorted((course / "notebooks").glob("[0-9][0-9]_*.ipynb"))
     later = [path for path in lessons if path.stem > stem and not path.stem.endswith(DEEPER)]
     if not later:
@@ -63,14 +71,32 @@ def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
     return first.lstrip("# ").strip(), f"../notebooks/{later[0].name}"
 
 
+def still_of(recording: Recording) -> Film:
+    """Draw only the last frame of the film."""
+    from workbook.pictures import humanoid
+    from workbook.pictures.joints import waving
+
+    poses = list(islice(_poses(recording), POSES))
+    if poses:
+        angles, lamp = poses[-1]
+        return Film(
+            b"", humanoid.draw(angles, lamp=lamp, scale=SCALE), "Your robot in a pose that your program sent."
+        )
+    lamp = _lamp(recording, recording.watched_s)
+    return Film(b"", humanoid.draw(waving(WAVE_S), lamp=lamp, scale=SCALE), "The robot waves.")
+
+
 def film_of(recording: Recording) -> Film:
-    """The robot as the recording tells it: through the poses that the program sent; it waves if there were none."""
-    # Matplotlib takes half a second to import: too long for a grader, which draws nothing.
+    """Return a film of the robot moving through the poses that the program sent.
+
+    If there were none, the robot waves.
+    """
+    # Importing Matplotlib takes half a second: too long for grading, which draws nothing.
     from workbook.pictures import humanoid
     from workbook.pictures.film import film
     from workbook.pictures.joints import Follower, waving
 
-    poses = list(_poses(recording))[:POSES]
+    poses = list(islice(_poses(recording), POSES))
     pictures = []
     if poses:
         follower = Follower(ease=0.75 * POSE_S)
@@ -84,7 +110,7 @@ def film_of(recording: Recording) -> Film:
         first = "first pose" if len(poses) == 1 else f"first {len(poses)} poses"
         text = f"Your robot moves through the {first} that your program sent."
     else:
-        lamp = _lamp(recording, recording.simulated_s)
+        lamp = _lamp(recording, recording.watched_s)
         for number in range(round(WAVE_S * FRAMES_PER_S)):
             pictures.append(humanoid.draw(waving(number / FRAMES_PER_S), lamp=lamp, scale=SCALE))
         text = "The robot waves."
@@ -92,7 +118,7 @@ def film_of(recording: Recording) -> Film:
 
 
 def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | None]]:
-    """Twelve angles and the lamp, for each message that holds a pose of the robot."""
+    """Yield twelve angles and the lamp for each message with a pose of the robot."""
     from workbook.pictures.joints import checked
 
     for topic in recording.with_publishers():
@@ -106,7 +132,7 @@ def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | Non
 
 
 def _lamp(recording: Recording, t: float) -> Lamp | None:
-    """The last status that the program had sent at the simulated time `t`."""
+    """Return the last valid status that the program had sent by the simulated time `t` (s); None if there was none."""
     for topic in recording.with_publishers():
         if topic.name.endswith("/status"):
             words = [

@@ -1,4 +1,4 @@
-"""A prompt for a colleague or an AI assistant: the task, the answer, and what was observed when it ran."""
+"""Write a prompt for a colleague or an AI assistant: the task, the answer, and the judge's observations."""
 
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import ExerciseSource
@@ -10,19 +10,19 @@ on the topics, so do not rewrite it. Tell me:
 2. the one change that would help a reader most, and why,
 3. what could go wrong on a real robot that this exercise does not test,
 4. one question about my own code, to check whether I understand it."""
-_HELP = """Please help me with a ROS 2 (Jazzy, rclpy) exercise. My answer does not behave as asked yet; what was
-measured on the topics is below. I want to find the mistake myself, so do not write the program, and do not write
+_HELP = """Please help me with a ROS 2 (Jazzy, rclpy) exercise. My answer does not behave as asked yet; the
+measurements are below. I want to find the mistake myself, so do not write the program, and do not write
 corrected lines of it. Instead:
 1. choose the one observation that I should look at first, and say why that one,
-2. explain the idea of ROS 2 that it is about, with an example that is not this task,
+2. explain the ROS 2 concept that it is about, with an example that is not this task,
 3. ask me one question about my own code that leads to the cause,
-4. then wait for my reply. If you name a function of rclpy, say how I can check that it exists in Jazzy."""
+4. then wait for my reply. If you name an rclpy function, say how I can check that it exists in Jazzy."""
 
 
 def review_prompt(source: ExerciseSource, answer_text: str, judgement: Judgement) -> str:
-    """One text to paste. Before full marks it asks for help that does not give the answer away.
+    """Return a text to paste. Before full marks, it asks for help that doesn't give the answer away.
 
-    It names what was seen and expected, not the likely reason: that is for the student to find.
+    It includes the observations and expectations, but not the likely cause, which the student should find.
     """
     done = wording.all_shown_hold(judgement)
     observed = [

@@ -1,4 +1,4 @@
-"""Feedback as text for a terminal."""
+"""Format feedback as text for a terminal."""
 
 import re
 import textwrap
@@ -46,7 +46,7 @@ def _criterion(result: CriterionResult, color: bool, in_full: bool, width: int) 
 
 
 def _program_lines(lines: Sequence[str], width: int) -> list[str]:
-    """What a program printed: without the path of the folder it ran in, and long lines broken where they must be."""
+    """Return a program's printed lines without the path of its folder. Long lines are split."""
     room = max(20, width - 4)
     short = [_SCRATCH.sub('"', without_commands(line)) for line in lines]
     return [f"    {line[at : at + room]}" for line in short for at in range(0, max(1, len(line)), room)]
@@ -59,9 +59,9 @@ def as_text(
     exhibit: Exhibit | None = None,
     width: int = WIDTH,
 ) -> str:
-    """The judgement for a terminal: the headline, every criterion, and the first one to fix in full.
+    """Return the judgment for a terminal: the headline, every criterion, and details on the first one to fix.
 
-    `exhibit`: the entry of the error museum that fits.
+    `exhibit`: the matching entry in the error museum.
     """
     lines = _wrapped(f"{judgement.stem}: {wording.headline(judgement)}", width, "", "  ")
     first = wording.first_to_mend(judgement)
@@ -72,7 +72,7 @@ def as_text(
             lines += _block("more", symptom, width)
     for line in (
         wording.provisional_line(judgement),
-        wording.doubt_line(judgement),
+        wording.inconclusive_line(judgement),
         wording.hidden_line(judgement),
         wording.clock_line(judgement),
     ):

@@ -1,12 +1,12 @@
-"""The picture on a card: when messages were expected and when they came."""
+"""Draw a card's figure: when messages were expected, and when they arrived."""
 
 from workbook.exercise.definition import Exercise
 from workbook.recording.recording import Recording
 
 
 def judged_timeline(exercise: Exercise, recording: Recording) -> tuple[bytes, str]:
-    """A timeline of the judged topics as PNG bytes, and the same in words."""
-    # Matplotlib takes half a second to import: too long for a grader that draws nothing yet, and may never.
+    """Return a timeline of the judged topics as PNG bytes, and its description in words."""
+    # Importing Matplotlib takes half a second: too long for grading, which may never draw anything.
     from workbook.pictures import timeline
 
     periods = {name: period for name, period in exercise.periods.items() if recording.topic(name).publishers}

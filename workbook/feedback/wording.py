@@ -1,4 +1,4 @@
-"""The words of feedback, the same on a card, in a terminal and on a page."""
+"""Define the wording of feedback, which is the same on a card, in a terminal, and on a page."""
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.course import NoCourse, course_folder
@@ -7,26 +7,26 @@ from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
 SHORTEST_WATCH_S = 0.5
-"""A shorter one would be told as 0 s."""
+"""A shorter watch would be reported as 0 s."""
 ENDED_TOO_SOON = "The program ended before there was anything to watch."
 NOTHING_WATCHED = "There was nothing to watch."
 WORDS = {"passed": "passes", "failed": "not yet", "partial": "in part", "skipped": "not judged"}
 
 
 def points(value: float) -> str:
-    """Points without a useless .0."""
+    """Return points without a trailing ".0"."""
     return f"{value:g}"
 
 
 def earned(result: CriterionResult) -> str:
-    """The points of a criterion, such as "1 of 2"; for one that carries none and must hold first: "needed"."""
+    """Return a criterion's points, such as "1 of 2", or "needed" if it's worth none but has to pass first."""
     if not result.max_points:
         return "needed"
     return f"{points(result.points)} of {points(result.max_points)}"
 
 
 def visible(judgement: Judgement) -> list[CriterionResult]:
-    """Criteria whose text a student may read. A criterion worth nothing is shown only when it failed."""
+    """Return the criteria whose text a student may read. One worth no points is shown only if it didn't pass."""
     return [
         result
         for result in judgement.criteria
@@ -35,23 +35,26 @@ def visible(judgement: Judgement) -> list[CriterionResult]:
 
 
 def worst_first(judgement: Judgement) -> list[CriterionResult]:
-    """The criteria shown: first what failed, in part or not, then what waits for it, then what passed."""
+    """Return the visible criteria: failed and partial ones first, then skipped ones, then passed ones."""
     order = ("failed", "partial"), ("skipped",), ("passed",)
     return [one for states in order for one in visible(judgement) if one.status in states]
 
 
 def hidden_count(judgement: Judgement) -> int:
-    """Number of hidden criteria: they count, but a student does not see them."""
+    """Return the number of hidden criteria, which count although students don't see them."""
     return sum(result.hidden for result in judgement.criteria)
 
 
 def first_to_mend(judgement: Judgement) -> CriterionResult | None:
-    """The criterion to fix first: the first one shown that failed or passed in part; None when there is none."""
+    """Return the first visible criterion that failed or passed in part; None if there is none."""
     return next((one for one in visible(judgement) if one.status in ("failed", "partial")), None)
 
 
 def exhibit_of(judgement: Judgement) -> Exhibit | None:
-    """The entry of the error museum that fits the first criterion to fix; None when there is none, or no museum."""
+    """Return the error museum's entry for the first criterion to fix.
+
+    The result is None if there is no such entry, or no museum.
+    """
     first = first_to_mend(judgement)
     if first is None:
         return None
@@ -63,24 +66,24 @@ def exhibit_of(judgement: Judgement) -> Exhibit | None:
 
 
 def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
-    """The other criteria shown that failed or passed in part."""
+    """Return the other visible criteria that failed or passed in part."""
     return [one for one in visible(judgement) if one.status in ("failed", "partial")][1:]
 
 
 def shown_points(judgement: Judgement) -> tuple[float, float]:
-    """Points earned and the maximum, hidden criteria left out: their marks would give them away."""
+    """Return the points earned and the maximum, without the hidden criteria, whose points would give them away."""
     shown = [result for result in judgement.criteria if not result.hidden]
     return round(sum(result.points for result in shown), 6), sum(result.max_points for result in shown)
 
 
 def all_shown_hold(judgement: Judgement) -> bool:
-    """Whether every criterion that is not hidden passed."""
+    """Return whether every visible criterion passed."""
     shown = [result for result in judgement.criteria if not result.hidden]
     return judgement.status == "graded" and all(result.status == "passed" for result in shown)
 
 
 def headline(judgement: Judgement) -> str:
-    """One line that says it all, the same in every run: no times in it."""
+    """Return a one-line summary. It contains no times, so it's the same in every run."""
     if judgement.status != "graded":
         return f"Not judged: {judgement.reason}"
     score, most = map(points, shown_points(judgement))
@@ -90,30 +93,28 @@ def headline(judgement: Judgement) -> str:
 
 
 def printed(judgement: Judgement) -> str:
-    """All that the program printed."""
+    """Return the program's entire output."""
     recording = judgement.recording
     return "" if recording is None else recording.process.log + recording.process.end_log
 
 
 def clock_line(judgement: Judgement) -> str:
-    """Which clock the judgement comes from, and how long the watch took."""
+    """Return which clock the judgment used, and how long the watch took."""
     recording = judgement.recording
     if recording is None:
         return ""
-    if recording.simulated_s < SHORTEST_WATCH_S:
+    if recording.watched_s < SHORTEST_WATCH_S:
         return ENDED_TOO_SOON if recording.process.ended_by == "itself" else NOTHING_WATCHED
     if recording.clock == "simulated":
-        line = (
-            f"Judged on {recording.simulated_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
-        )
+        line = f"Judged on {recording.watched_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
         if judgement.watched_real_life:
             line += f" Then started again and watched for {recording.process.watched_for:.0f} real seconds."
         return line
-    return f"Judged on the wall clock, {recording.simulated_s:.0f} s."
+    return f"Judged on the wall clock, {recording.watched_s:.0f} s."
 
 
 def provisional_line(judgement: Judgement) -> str:
-    """Why this judgement may still change; empty for a final one."""
+    """Return why this judgment may still change; empty for a final one."""
     if not judgement.provisional:
         return ""
     if judgement.inconclusive_reason:
@@ -123,8 +124,8 @@ def provisional_line(judgement: Judgement) -> str:
     return "Provisional: this was seen on fast robot time. The wall clock decides; that takes some seconds."
 
 
-def doubt_line(judgement: Judgement, *, is_graded: bool = False) -> str:
-    """Why the judgement is inconclusive; empty for one that is sound. `is_graded`: no other try follows."""
+def inconclusive_line(judgement: Judgement, *, is_graded: bool = False) -> str:
+    """Return why the judgment is inconclusive; empty for a conclusive one. `is_graded`: no other try follows."""
     if not judgement.inconclusive_reason or judgement.provisional:
         return ""
     then = "." if is_graded else "; another try decides."
@@ -132,7 +133,7 @@ def doubt_line(judgement: Judgement, *, is_graded: bool = False) -> str:
 
 
 def hidden_line(judgement: Judgement) -> str:
-    """A sentence that says how many hidden criteria there are; empty when there are none."""
+    """Return a sentence with the number of hidden criteria; empty if there are none."""
     count = hidden_count(judgement)
     if not count:
         return ""

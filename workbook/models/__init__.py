@@ -1,6 +1,7 @@
-"""A trained detector for the toys on the desk, what trained it, and samples of a robot that falls. No ROS.
+"""Detect toys on a desk with a trained network, retrain it, and simulate a robot that falls. Nothing here needs ROS.
 
-`workbook.models.train` trains it again (`make model`) and needs PyTorch; nothing else here does unless it is asked to.
+`workbook.models.train` trains the network again (`make model`), which needs PyTorch. Nothing else here needs PyTorch,
+unless you create a `TorchNetwork`.
 """
 
 from workbook.models.detection import LABELS, Detection

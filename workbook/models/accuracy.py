@@ -1,4 +1,4 @@
-"""How good a detector is: on pictures that it has never seen."""
+"""Measure a detector's accuracy on images that weren't used for training."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,31 +12,33 @@ from workbook.scenes.pinhole import Pinhole
 from workbook.scenes.tabletop import Thing, tabletop, things_in
 
 SEED_HELD_BACK = 1616
-"""Another seed than that of the training, so that no picture is in both."""
+"""A different seed than in training, so that no image is in both sets."""
 IMAGES_HELD_BACK = 400
 CLEARLY_VISIBLE = 0.6
 BARELY_VISIBLE = 0.25
 PINHOLE = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
 SAME_PLACE = 0.5
-"""A detection is in the place of a thing if the middles are at most half a width and half a height apart."""
+"""A detection matches an object if their centers are at most half a width and half a height apart."""
 
 
 @dataclass(frozen=True)
 class Accuracy:
-    """`right`: detections that are right, among these, the missed and the false ones. `found`: things that were found.
-    `false`: detections per picture that name what is not there."""
+    """`right`: the number of correct detections, divided by the sum of correct, missed, and false ones.
+
+    `found`: the share of objects found. `false`: detections per image that match no object.
+    """
 
     right: float
     found: float
     false: float
 
     def words(self) -> str:
-        """The three numbers as a line of text."""
-        return f"right {self.right:.1%}, found {self.found:.1%}, {self.false:.3f} false detections a picture"
+        """Return the three numbers as a line of text."""
+        return f"right {self.right:.1%}, found {self.found:.1%}, {self.false:.3f} false detections per image"
 
 
 def held_back(number: int) -> Picture:
-    """A held-back picture, RGB, as `accuracy` takes it."""
+    """Return a held-back image, RGB, as used by `accuracy`."""
     return DeskCamera(PINHOLE, SEED_HELD_BACK).picture(tabletop(SEED_HELD_BACK, number), number)
 
 
@@ -45,7 +47,7 @@ def accuracy(
     images: int = IMAGES_HELD_BACK,
     change: Callable[[Picture], Any] = lambda picture: picture,
 ) -> Accuracy:
-    """The accuracy on so many held-back pictures; `change` is applied to each of them before the detector sees it."""
+    """Return the accuracy on this many held-back images. `change` is applied to each image before the detector runs."""
     camera = DeskCamera(PINHOLE, SEED_HELD_BACK)
     things, hits, wrong = 0, 0, 0
     for number in range(images):
@@ -61,7 +63,7 @@ def accuracy(
 
 
 def matches(detection: Detection, thing: Thing) -> bool:
-    """Whether a detection names a thing, and lies where it is."""
+    """Return whether a detection has an object's label and position."""
     return (
         detection.label == thing.label
         and abs(detection.u - thing.u) <= SAME_PLACE * thing.width

@@ -1,6 +1,6 @@
-"""What a process beside the node runs: functions that a pool of processes finds by name.
+"""Define functions for a process pool next to the node. They're in a module because a pool finds functions by name.
 
-A process that is started afresh (`spawn`) imports the functions it is given. It cannot import what a cell defines.
+A process that is started with `spawn` imports its functions, and it can't import them from a notebook cell.
 """
 
 import ctypes
@@ -15,24 +15,24 @@ _loaded: list[DeskDetector] = []
 
 
 def load(takes_s: float = 0.0) -> None:
-    """Load the detector of this process, and take as long as a large one does (s)."""
+    """Load this process's detector, and take at least `takes_s` seconds, as a large model would."""
     done = time.monotonic() + takes_s
     _loaded[:] = [DeskDetector()]
     time.sleep(max(0.0, done - time.monotonic()))
 
 
 def look(image: npt.NDArray[np.uint8]) -> list[Detection]:
-    """What is in an image. The detector is loaded first where `load` was not called."""
+    """Return the detections in an image. If `load` wasn't called, load the detector first."""
     if not _loaded:
         load()
     return _loaded[0](image)
 
 
 def size(image: npt.NDArray[np.uint8]) -> int:
-    """How many bytes arrived: a model that takes no time."""
+    """Return the number of bytes received: a stand-in for a model that takes no time."""
     return image.nbytes
 
 
 def hold_the_lock(seconds: float = 2.0) -> None:
-    """Wait in C code that does not release the GIL, as some drivers of accelerators do; at least so many seconds."""
+    """Wait for at least this many seconds in C code that doesn't release the GIL, like some accelerators' drivers."""
     ctypes.PyDLL(None).usleep(round(1e6 * seconds))

@@ -1,4 +1,4 @@
-"""What a detector says, and how the numbers of the network become that."""
+"""Define detections, and decode them from the network's output."""
 
 from dataclasses import dataclass
 
@@ -9,14 +9,14 @@ from workbook.scenes.tabletop import LABELS as LABELS
 
 Floats = npt.NDArray[np.float32]
 STRIDE = 4
-"""The network answers for every square of so many pixels of its input, in each direction."""
+"""The network's output has one square for this many input pixels in each direction."""
 
 
 @dataclass(frozen=True)
 class Detection:
-    """One thing that was found: the middle of its box and its size, in pixels of the given image.
+    """One detected object: the center of its box and its size, in pixels of the given image.
 
-    `label`: one of `LABELS`. `score`: how sure the network is, from 0 to 1. It is no probability.
+    `label`: one of `LABELS`. `score`: the network's confidence, from 0 to 1, which isn't a probability.
     """
 
     label: str
@@ -28,10 +28,10 @@ class Detection:
 
 
 def decoded(maps: Floats, threshold: float, factor: int) -> list[Detection]:
-    """The detections in the answer of the network, surest first.
+    """Return the detections in the network's output, highest score first.
 
-    `maps`: shape (labels + 4, rows, columns): for each square a number per label, where in the square the middle is,
-    and the logarithms of width and height. `factor`: how many pixels of the image are one of the network's.
+    `maps`: shape (labels + 4, rows, columns). Each square has a number per label, the center's position within the
+    square, and the logarithms of width and height. `factor`: how many image pixels correspond to one of the network's.
     """
     scores = 1.0 / (1.0 + np.exp(np.minimum(-maps[: len(LABELS)], 80.0)))
     best = scores.max(axis=0)
@@ -54,7 +54,7 @@ def decoded(maps: Floats, threshold: float, factor: int) -> list[Detection]:
 
 
 def _largest_around(best: Floats) -> Floats:
-    """For each square the largest number among it and its eight neighbors."""
+    """Return the largest number among each square and its eight neighbors."""
     padded = np.pad(best, 1, constant_values=-1.0)
     rows, columns = best.shape
     shifted = [padded[i : i + rows, j : j + columns] for i in range(3) for j in range(3)]

@@ -1,4 +1,4 @@
-"""From an image to the list of what is on the desk."""
+"""Detect the objects on the desk in an image."""
 
 import numpy as np
 import numpy.typing as npt
@@ -10,12 +10,10 @@ THRESHOLD = 0.5
 
 
 def to_input(image: npt.NDArray[np.uint8]) -> Floats:
-    """What the network takes: 160 by 120 pixels, numbers from 0 to 1, color first; shape (1, 3, 120, 160).
+    """Return the network's input: 160 by 120 pixels, numbers from 0 to 1, color first; shape (1, 3, 120, 160).
 
-    `image`: uint8, red, green, blue, shape (120 n, 160 n, 3). Of a larger image, n by n pixels become their mean.
-
-    Raises:
-        ValueError: It has another shape or type.
+    `image`: uint8, red, green, blue, shape (120 n, 160 n, 3). In a larger image, each n by n pixels are averaged.
+    Raises ValueError for another shape or type.
     """
     if not isinstance(image, np.ndarray) or image.dtype != np.uint8:
         raise ValueError(
@@ -35,10 +33,9 @@ def to_input(image: npt.NDArray[np.uint8]) -> Floats:
 
 
 class DeskDetector:
-    """Finds balls, bricks, cups and plates in an image of the desk. Creating it loads the network.
+    """Finds balls, bricks, cups, and plates in an image of the desk. Creating it loads the network.
 
-    `network`: what runs the network, ONNX Runtime if it is not told. `threshold`: detections with a smaller score are
-    left out.
+    `network`: runs the network; by default, in ONNX Runtime. `threshold`: detections with a lower score are dropped.
     """
 
     def __init__(self, network: Network | None = None, threshold: float = THRESHOLD) -> None:
@@ -46,6 +43,9 @@ class DeskDetector:
         self.threshold = threshold
 
     def __call__(self, image: npt.NDArray[np.uint8]) -> list[Detection]:
-        """What is in an image (see `to_input`), surest first. Raises ValueError for a wrong shape or type."""
+        """Return the detections in an image (see `to_input`), highest score first.
+
+        Raises ValueError for a wrong shape or type.
+        """
         pixels = to_input(image)
         return decoded(self._network(pixels)[0], self.threshold, image.shape[0] // HEIGHT)

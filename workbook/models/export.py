@@ -1,4 +1,4 @@
-"""Writes trained weights as files: for NumPy, for ONNX Runtime, and where they come from."""
+"""Write trained weights to files: for NumPy, for ONNX Runtime, and with their provenance."""
 
 import hashlib
 import json
@@ -19,7 +19,7 @@ OPSET = 17
 def write_files(
     weights: Sequence[tuple[Floats, Floats]], folder: Path, provenance: Mapping[str, Mapping[str, Any]]
 ) -> None:
-    """Write the weights (.npz), the network (.onnx), and a TOML file with the provenance and the hash of both."""
+    """Write the weights (.npz), the network (.onnx), and a TOML file with their provenance and hashes."""
     arrays = {}
     for number, (weight, bias) in enumerate(weights):
         arrays[f"weight_{number}"], arrays[f"bias_{number}"] = weight, bias
@@ -33,7 +33,7 @@ def write_files(
 
 
 def sha256(path: Path) -> str:
-    """The SHA-256 hash of a file, in hexadecimal digits."""
+    """Return a file's SHA-256 hash in hexadecimal."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -42,7 +42,7 @@ def _key(name: str) -> str:
 
 
 def onnx_model(weights: Sequence[tuple[Floats, Floats]]) -> Any:
-    """The network as an ONNX model. The number of pictures is free; the rest of the shape is not."""
+    """Return the network as an ONNX model. The number of images is free; the rest of the shape is fixed."""
     nodes, stored, values = [], [], "pixels"
     for number, (layer, (weight, bias)) in enumerate(zip(LAYERS, weights, strict=True)):
         last = number == len(LAYERS) - 1

@@ -1,7 +1,7 @@
-"""What joints and IMU of a robot measure while it stands, bows, is pushed or falls, and how soon falls are noticed.
+"""Simulate a robot's joints and IMU while it stands, bows, is pushed, or falls, and measure the delay of fall alarms.
 
-The body is an inverted pendulum on its feet, and the torso bends forward at the hip. NumPy only; the same seed brings
-the same samples.
+The body is an inverted pendulum on its feet, and the torso bends forward at the hip. Only NumPy is needed. The same
+seed yields the same samples.
 """
 
 from collections.abc import Callable, Sequence
@@ -17,14 +17,14 @@ Flags = npt.NDArray[np.bool_]
 RATE_HZ = 50
 LENGTH_S = 4.0
 WINDOW = 10
-"""Samples in a window: 0.2 s."""
+"""Samples per window: 0.2 s."""
 CHANNELS = ("pitch", "pitch_rate", "hip", "knee")
-"""Tilt of the torso from the IMU (rad), its rate from the gyroscope (rad/s), and two joints (rad)."""
+"""The torso's tilt from the IMU (rad), its rate from the gyroscope (rad/s), and two joint angles (rad)."""
 KINDS = ("stands", "bows", "is pushed", "falls")
 ON_THE_GROUND = 1.2
-"""Tilt of the body (rad) at which a fall is over."""
+"""The body's tilt (rad) at which a fall is over."""
 STEPS = 4
-"""Steps of the pendulum to a sample."""
+"""Pendulum steps per sample."""
 
 _NOISE = np.array([0.02, 0.08, 0.01, 0.01])
 _GRAVITY_OVER_LENGTH = 16.0
@@ -42,10 +42,10 @@ class Episode:
 
 @dataclass(frozen=True)
 class Alarms:
-    """How late alarms came, and how often there was none or a false one.
+    """The delays of alarms, and the numbers of missed and false alarms.
 
-    `late_s`: for each fall that was noticed, how long after its begin. `missed`: falls that were not. `false`: episodes
-    with an alarm when the robot was not falling.
+    `late_s`: for each detected fall, the time from its start to the alarm. `missed`: falls that weren't detected.
+    `false`: episodes with an alarm while the robot wasn't falling.
     """
 
     late_s: tuple[float, ...]
@@ -54,13 +54,16 @@ class Alarms:
 
 
 def episodes(seed: int, number: int) -> list[Episode]:
-    """So many episodes, a quarter of each kind."""
+    """Return `number` episodes, a quarter of each kind."""
     generator = np.random.default_rng(seed)
     return [_episode(KINDS[place % len(KINDS)], generator) for place in range(number)]
 
 
 def windows(episode: Episode) -> tuple[Floats, Flags]:
-    """Each window of an episode as a row, oldest sample first, and whether the robot falls at its last sample."""
+    """Return each window of an episode as a row, and whether the robot is falling at its end.
+
+    The oldest sample comes first.
+    """
     rows = np.lib.stride_tricks.sliding_window_view(episode.samples, WINDOW, axis=0)
     last = np.arange(WINDOW - 1, len(episode.samples))
     falls = np.zeros(len(last), dtype=bool) if episode.falls_from is None else last >= episode.falls_from
@@ -68,13 +71,13 @@ def windows(episode: Episode) -> tuple[Floats, Flags]:
 
 
 def all_windows(some: Sequence[Episode]) -> tuple[Floats, Flags]:
-    """The windows of several episodes, one below the other, and whether the robot falls."""
+    """Return the windows of several episodes, stacked, and whether the robot is falling in each."""
     rows, falls = zip(*map(windows, some), strict=True)
     return np.concatenate(rows), np.concatenate(falls)
 
 
 def alarms(some: Sequence[Episode], is_falling: Callable[[Floats], npt.NDArray[np.bool_]]) -> Alarms:
-    """When `is_falling`, which judges windows, raises the alarm in these episodes."""
+    """Return when `is_falling`, which classifies windows, raises alarms in these episodes."""
     late, missed, false = [], 0, 0
     for episode in some:
         rows, falls = windows(episode)
@@ -88,7 +91,7 @@ def alarms(some: Sequence[Episode], is_falling: Callable[[Floats], npt.NDArray[n
 
 
 def _episode(kind: str, generator: np.random.Generator) -> Episode:
-    """An episode with random sway, moment and strength."""
+    """Return an episode with random sway, timing, and strength."""
     event_s = generator.uniform(0.8, 2.0)
     push = generator.uniform(0.5, 1.3) if kind in ("is pushed", "falls") else 0.0
     slips_s = event_s if kind == "falls" else None
@@ -102,7 +105,7 @@ def _episode(kind: str, generator: np.random.Generator) -> Episode:
 
 
 def _body(event_s: float, push: float, slips_s: float | None, phase: float) -> tuple[Floats, Floats]:
-    """Tilt (rad) and its rate (rad/s) of a body that is pushed once. From `slips_s` on nothing holds it."""
+    """Return the tilt (rad) and its rate (rad/s) of a body that is pushed once. From `slips_s` on, nothing holds it."""
     tilts, rates = [], []
     tilt = rate = 0.0
     step = 1.0 / (RATE_HZ * STEPS)
@@ -124,7 +127,7 @@ def _body(event_s: float, push: float, slips_s: float | None, phase: float) -> t
 
 
 def _bow(event_s: float, generator: np.random.Generator) -> Floats:
-    """The angle of the hip (rad) while the robot bows, stays, and straightens up."""
+    """Return the hip angle (rad) while the robot bows, pauses, and straightens up."""
     depth, sharpness = generator.uniform(0.5, 0.9), generator.uniform(6.0, 11.0)
     stays = generator.uniform(0.6, 1.2)
     middles = event_s + 0.3, event_s + 0.9 + stays

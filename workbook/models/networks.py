@@ -1,8 +1,8 @@
-"""One small convolutional network, run by any of three libraries from the same weights.
+"""Run one small convolutional network with any of three libraries, from the same weights.
 
 ONNX Runtime is in every environment. PyTorch comes with `make env EXTRAS=torch`, Keras with `EXTRAS=tensorflow`; both
-are imported only when their class is created. Input: float32 from 0 to 1, red, green and blue, shape
-(pictures, 3, 120, 160). Output: float32, shape (pictures, labels + 4, 30, 40).
+are imported only when their class is instantiated. Input: float32 from 0 to 1, red, green, and blue, shape (images,
+3, 120, 160). Output: float32, shape (images, labels + 4, 30, 40).
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ HEIGHT, WIDTH = 120, 160
 
 @dataclass(frozen=True)
 class Layer:
-    """A convolution. The last one of a network answers; each of the others is followed by max(0, x)."""
+    """A convolution. A network's last one is its output; each of the others is followed by max(0, x)."""
 
     kernel: int
     stride: int = 1
@@ -31,7 +31,7 @@ class Layer:
 
     @property
     def padding(self) -> int:
-        """Zeros added at each edge, so that no size changes but by the stride."""
+        """The zeros added at each edge, so that only the stride changes the size."""
         return self.dilation * (self.kernel // 2)
 
 
@@ -48,19 +48,19 @@ LAYERS = (
 
 
 class Network(Protocol):
-    """Answers for pictures with maps of numbers."""
+    """Computes maps of numbers for images."""
 
     def __call__(self, pixels: Floats) -> Floats: ...
 
 
 def read_weights(path: Path = WEIGHTS_FILE) -> list[tuple[Floats, Floats]]:
-    """For each layer its weights, shape (channels out, channels in, rows, columns), and one number per channel out."""
+    """Return each layer's weights, shape (channels out, channels in, rows, columns), and one bias per channel out."""
     with np.load(path, allow_pickle=False) as stored:
         return [(stored[f"weight_{n}"], stored[f"bias_{n}"]) for n in range(len(LAYERS))]
 
 
 class OnnxNetwork:
-    """The network in ONNX Runtime: on the processor, in one thread."""
+    """The network in ONNX Runtime: on the CPU, in one thread."""
 
     def __init__(self, path: Path = ONNX_FILE) -> None:
         import onnxruntime
@@ -101,7 +101,7 @@ class TorchNetwork:
 
 
 class KerasNetwork:
-    """The same network in Keras, on TensorFlow. Its channels come last, so pictures and maps are turned on the way."""
+    """The same network in Keras, on TensorFlow. Its channels come last, so images and maps are transposed."""
 
     def __init__(self, weights: Sequence[tuple[Floats, Floats]] | None = None) -> None:
         import keras

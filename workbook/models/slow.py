@@ -1,4 +1,4 @@
-"""The detector as a robot has it: on an accelerator that takes its time, and that gives up on some pictures."""
+"""Simulate the detector on a robot: on a slow accelerator that rejects some images."""
 
 import threading
 import time
@@ -9,20 +9,20 @@ import numpy.typing as npt
 from workbook.models import DeskDetector, Detection
 
 WHITE = 250
-"""From this value on, a channel of a pixel counts as white."""
+"""A pixel's channel counts as white from this value on."""
 
 
 class SlowDetector:
-    """`DeskDetector` on a slow accelerator: one second to load, then 0.2 s for each picture, one at a time.
+    """`DeskDetector` on a slow accelerator: one second to load, then 0.2 s per image, one at a time.
 
-    It waits for the accelerator without holding the GIL: other threads of the program run meanwhile. Whoever calls it
-    while it is busy waits for its turn.
+    It waits for the accelerator without holding the GIL, so the program's other threads keep running. Calls from
+    several threads wait for one another.
     """
 
     LOADING_S = 1.0
     SECONDS = 0.2
     GLARE = 0.5
-    """It gives up on a picture of which so much is white."""
+    """The share of white pixels from which an image is rejected."""
     _accelerator = threading.Lock()
 
     def __init__(self) -> None:
@@ -31,9 +31,9 @@ class SlowDetector:
         _wait_until(began + self.LOADING_S)
 
     def __call__(self, image: npt.NDArray[np.uint8]) -> list[Detection]:
-        """What is on the desk, the surest first. `image`: RGB, uint8, shape (height, width, 3).
+        """Return the detections on the desk, highest score first. `image`: RGB, uint8, shape (height, width, 3).
 
-        Raises RuntimeError for a picture with glare, and ValueError for another shape or another type of number.
+        Raises RuntimeError for an image with glare, and ValueError for another shape or number type.
         """
         with self._accelerator:
             began = time.monotonic()

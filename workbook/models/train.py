@@ -1,6 +1,7 @@
-"""Trains the detector again and proves that it is good enough (`make model`). Needs the extra `torch`.
+"""Train the detector again and prove that it is good enough (`make model`). Needs the extra `torch`.
 
-Without arguments the committed files stay: what was trained goes into a temporary folder. `--write` replaces them.
+Without arguments, the committed files stay, and the new weights go into a temporary folder. `--write` replaces the
+files.
 """
 
 import argparse
@@ -28,15 +29,15 @@ EPOCHS = 10
 BATCH = 32
 RATE = 4e-3
 SEEN_ENOUGH, SEEN_TOO_LITTLE = 0.6, 0.25
-"""Things of which less is visible are not asked for; below the second, they count as background."""
+"""Objects less visible than the first share aren't targets; below the second, they count as background."""
 ROWS, COLUMNS = HEIGHT // STRIDE, WIDTH // STRIDE
 OUT = len(LABELS)
 
 
 def targets(number: int, pinhole: Pinhole) -> tuple[Floats, Floats]:
-    """What the network is to answer for one picture, shape (labels + 4, rows, columns), and which squares count.
+    """Return the network's target output for one image, shape (labels + 4, rows, columns), and which squares count.
 
-    The second array: 1 where the labels count, and in its second map 1 where a middle is.
+    The second array has two maps: 1 where the labels count, and 1 where a center is.
     """
     wanted = np.zeros((OUT + 4, ROWS, COLUMNS), dtype=np.float32)
     counts = np.zeros((2, ROWS, COLUMNS), dtype=np.float32)
@@ -60,7 +61,7 @@ def targets(number: int, pinhole: Pinhole) -> tuple[Floats, Floats]:
 
 
 def examples(number: int = IMAGES) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """Pictures, what to answer, and what counts."""
+    """Return the images, the target outputs, and which squares count."""
     pinhole = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
     camera = DeskCamera(pinhole, SEED)
     pictures = [to_input(camera.picture(tabletop(SEED, one), one))[0] for one in range(number)]
@@ -71,7 +72,7 @@ def examples(number: int = IMAGES) -> tuple[torch.Tensor, torch.Tensor, torch.Te
 
 
 def network() -> nn.Sequential:
-    """The layers, with batch normalization between them, which is multiplied into the weights at the end."""
+    """Return the layers with batch normalization between them, which `folded` later merges into the weights."""
     stack: list[nn.Module] = []
     for number, layer in enumerate(LAYERS):
         last = number == len(LAYERS) - 1
@@ -93,7 +94,7 @@ def network() -> nn.Sequential:
 
 
 def loss_of(maps: torch.Tensor, wanted: torch.Tensor, counts: torch.Tensor) -> torch.Tensor:
-    """The focal loss of CenterNet for the labels, and the mean error of place and size where a middle is."""
+    """Return CenterNet's focal loss for the labels, plus the mean error of position and size at the centers."""
     hills, middles = wanted[:, :OUT], counts[:, 1:]
     score = torch.sigmoid(maps[:, :OUT]).clamp(1e-4, 1 - 1e-4)
     at_middle = hills == 1.0
@@ -109,7 +110,7 @@ def loss_of(maps: torch.Tensor, wanted: torch.Tensor, counts: torch.Tensor) -> t
 
 
 def trained(data: tuple[torch.Tensor, torch.Tensor, torch.Tensor], epochs: int = EPOCHS) -> nn.Sequential:
-    """The network after so many times all the pictures. Prints how it goes."""
+    """Return the network after this many passes over all images. Prints the progress."""
     pictures, wanted, counts = data
     model = network().train()
     steps = epochs * (len(pictures) // BATCH)
@@ -131,7 +132,7 @@ def trained(data: tuple[torch.Tensor, torch.Tensor, torch.Tensor], epochs: int =
 
 
 def folded(model: nn.Sequential) -> list[tuple[Floats, Floats]]:
-    """The weights of the convolutions, with the batch normalization behind each multiplied in."""
+    """Return the convolutions' weights, with the batch normalization after each one multiplied in."""
     weights: list[tuple[Floats, Floats]] = []
     parts: list[Any] = list(model)
     for number, part in enumerate(parts):
@@ -149,7 +150,7 @@ def folded(model: nn.Sequential) -> list[tuple[Floats, Floats]]:
 
 
 def promised() -> float:
-    """The accuracy that the committed provenance promises; 0 before there is one."""
+    """Return the accuracy that the committed provenance promises; 0 if there is no provenance yet."""
     if not PROVENANCE_FILE.is_file():
         return 0.0
     found: float = tomllib.loads(PROVENANCE_FILE.read_text(encoding="utf-8"))["accuracy"]["told"]
@@ -157,7 +158,7 @@ def promised() -> float:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Train, measure, and say whether the promised accuracy was reached: exit code 0, else 1."""
+    """Train, measure, and report whether the promised accuracy was reached: return exit code 0, or 1 if not."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -167,7 +168,7 @@ def main(arguments: list[str] | None = None) -> int:
     began = time.monotonic()
     torch.manual_seed(SEED)
     torch.set_num_threads(2)
-    print(f"rendering {IMAGES} pictures (seed {SEED}) ...", flush=True)
+    print(f"rendering {IMAGES} images (seed {SEED}) ...", flush=True)
     weights = folded(trained(examples()))
     reached = accuracy(DeskDetector(TorchNetwork(weights)))
     wanted = options.told if options.told is not None else promised()
@@ -178,7 +179,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def provenance(reached: Accuracy, wanted: float) -> dict[str, dict[str, Any]]:
-    """Where the weights come from, as tables of TOML."""
+    """Return the weights' provenance as TOML tables."""
     return {
         "training": {
             "command": "python -m workbook.models.train --write",

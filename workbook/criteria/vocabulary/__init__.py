@@ -1,4 +1,4 @@
-"""The vocabulary of criteria: functions that each judge one thing about a recording.
+"""The vocabulary of criteria: each function judges one thing about a recording.
 
-Each gives the same feedback in every exercise. Criteria files import them from `workbook.criteria` alone.
+A function gives the same feedback in every exercise. Criteria files import the functions only from `workbook.criteria`.
 """

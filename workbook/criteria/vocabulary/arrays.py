@@ -1,12 +1,16 @@
-"""Judges arrays that arrive on a topic."""
+"""Judge arrays that arrive on a topic."""
 
 import math
 import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
 from workbook.criteria.criterion import Topic
-from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.rules import Words, otherwise
+from workbook.criteria.verdict import Verdict, passed
 from workbook.criteria.vocabulary.estimators import PAIR_FRACTION
 from workbook.criteria.vocabulary.phrasing import count, listing
 from workbook.criteria.vocabulary.silences import program_ended
@@ -14,158 +18,168 @@ from workbook.criteria.vocabulary.topics import if_all_kept, if_messages
 from workbook.criteria.vocabulary.values import elements, length_of, values
 from workbook.recording.recording import Recording
 
+WORDS = Words(__file__)
+
 LEAST_MESSAGES = 3
-_NEW_ANGLES = (
-    "Compute new angles in every call of the timer callback, for example from math.sin of a counter."
-)
 MOSTLY = 0.75
-"""Share of the messages that differ from the one before as much as they must."""
+"""The share of steps between messages in which enough elements must change."""
+
+
+@dataclass(frozen=True)
+class _Lengths:
+    """The lengths of the received arrays. `what`: the noun for an element."""
+
+    all: Sequence[int]
+    wanted: int
+    what: str
+
+    @property
+    def wrong(self) -> list[int]:
+        return [n for n in self.all if n != self.wanted]
+
+    @property
+    def how_many(self) -> str:
+        some = f"{len(self.wrong)} of {len(self.all)} messages have"
+        return "every message has" if len(self.wrong) == len(self.all) else some
+
+    @property
+    def lengths(self) -> str:
+        return listing([str(n) for n in sorted(set(self.wrong))])
+
+    @property
+    def exactly(self) -> str:
+        return count(self.wanted, self.what)
+
+
+_LENGTH = WORDS.rules(
+    _Lengths,
+    "length",
+    ("not-filled", lambda one: 0 in one.wrong),
+    ("other-list", lambda one: all(abs(n - one.wanted) > 1 for n in one.wrong)),
+    ("changes", lambda one: len(one.wrong) < len(one.all)),
+    ("one-off", otherwise),
+)
 
 
 @if_all_kept
 def length(recording: Recording, topic: Topic, wanted: int, what: str = "value") -> Verdict:
-    """Every message carries an array of exactly `wanted` elements."""
-    lengths = [length_of(value) for value in values(recording, topic)]
-    wrong = [n for n in lengths if n != wanted]
-    if not wrong:
-        return passed(f"{count(wanted, what)} in each of {count(len(lengths), 'message')}")
-    kinds = listing([str(n) for n in sorted(set(wrong))])
-    how_many = (
-        "every message has" if len(wrong) == len(lengths) else f"{len(wrong)} of {len(lengths)} messages have"
-    )
+    """Check that every message contains an array of exactly `wanted` elements."""
+    lengths = _Lengths([length_of(value) for value in values(recording, topic)], wanted, what)
+    if lengths.wrong:
+        return _LENGTH.verdict(lengths)
+    return passed(f"{lengths.exactly} in each of {count(len(lengths.all), 'message')}")
 
-    def fail(cause: str, because: str) -> Verdict:
-        return failed(
-            cause,
-            f"{how_many} {kinds} {what}s",
-            f"exactly {count(wanted, what)} in every message",
-            because,
-            f"Print len(msg.data) before you publish. It must be {wanted}.",
-        )
 
-    if 0 in wrong:
-        return fail("length.not-filled", "At least one message was published before its data was set.")
-    if all(abs(n - wanted) > 1 for n in wrong):
-        return fail(
-            "length.other-list",
-            "The list is not built from the joints, or it grows with every message.",
-        )
-    if len(wrong) < len(lengths):
-        return fail(
-            "length.changes",
-            "Some messages have the right length, so only some calls add or omit an element.",
-        )
-    return fail(
-        "length.one-off",
-        "This is often an off-by-one error, such as a count that starts at 1 instead of 0.",
-    )
+@dataclass(frozen=True)
+class _Movement:
+    """How the elements of an array change from message to message. `what`: the noun for an element.
+
+    Messages of an unusual length are ignored, and so are steps between messages that arrive at the same moment.
+    """
+
+    recording: Recording
+    topic: Topic
+    at_least: int
+    by: float
+    what: str
+    mostly: float = MOSTLY
+
+    @cached_property
+    def timed(self) -> list[tuple[float, list[Any]]]:
+        arrivals = self.recording.topic(self.topic.name).arrivals
+        return [(one.t, elements(one.value.get("data"))) for one in arrivals if isinstance(one.value, dict)]
+
+    @property
+    def messages(self) -> int:
+        return len(self.timed)
+
+    @cached_property
+    def width(self) -> int:
+        return statistics.mode(len(row) for _, row in self.timed)
+
+    @cached_property
+    def alike(self) -> list[tuple[float, list[Any]]]:
+        return [(t, row) for t, row in self.timed if len(row) == self.width]
+
+    @cached_property
+    def moving(self) -> list[int]:
+        """The indexes of elements that change at any time."""
+        return [place for place in range(self.width) if self._moves([row[place] for _, row in self.alike])]
+
+    @cached_property
+    def changed(self) -> list[int]:
+        """The number of elements that change in each step."""
+        at_once_s = PAIR_FRACTION * self.topic.period if self.topic.hz is not None else 0.0
+        return [
+            sum(self._moves([one, other]) for one, other in zip(before, after, strict=True))
+            for (t, before), (then, after) in pairwise(self.alike)
+            if then - t > at_once_s
+        ]
+
+    def _moves(self, column: list[Any]) -> bool:
+        numbers = [value for value in column if isinstance(value, (int, float)) and math.isfinite(value)]
+        return bool(numbers) and max(numbers) - min(numbers) > self.by
+
+    @property
+    def enough(self) -> bool:
+        right = sum(n >= self.at_least for n in self.changed)
+        return len(self.moving) >= self.at_least and right >= MOSTLY * len(self.changed)
+
+    @property
+    def wanted(self) -> str:
+        return count(self.at_least, self.what)
+
+    @property
+    def steps(self) -> int:
+        return len(self.changed)
+
+    @property
+    def still(self) -> int:
+        """The number of steps in which nothing changes."""
+        return self.changed.count(0)
+
+    @property
+    def hardly(self) -> int:
+        """The number of steps in which too few elements change, or none."""
+        return sum(n < self.at_least for n in self.changed)
+
+    @property
+    def few(self) -> int:
+        return self.hardly - self.still
+
+
+_OTHER_LENGTHS = WORDS.cause("varies.other-lengths", _Movement)
+_ONE_MESSAGE = WORDS.cause("varies.one-message", _Movement, about_time=True)
+_AT_REST = WORDS.rules(
+    _Movement,
+    "varies",
+    ("none", lambda one: not one.moving),
+    ("too-few", lambda one: len(one.moving) < one.at_least),
+)
+_TOO_LITTLE = WORDS.rules(
+    _Movement,
+    "varies",
+    ("two-kinds", lambda one: 0 < one.still < one.hardly),
+    ("stands-still", lambda one: one.still),
+    ("one-at-a-time", otherwise),
+)
 
 
 @if_messages
 def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: str = "value") -> Verdict:
-    """From message to message, at least `at_least` elements of the array change by more than `by`.
+    """Check that at least `at_least` elements of the array change by more than `by` from message to message.
 
-    Mostly: in a share of `MOSTLY` of the steps from one message to the next. A movement may turn around. Messages that
-    come at one moment are not compared: that is a matter of the rate.
+    That has to be true for a share of `MOSTLY` of the steps between messages, so a movement may reverse. Simultaneous
+    messages aren't compared, because only their rate is wrong.
     """
-    arrivals = [one for one in recording.topic(topic.name).arrivals if isinstance(one.value, dict)]
-    timed = [(one.t, elements(one.value.get("data"))) for one in arrivals]
-    width = statistics.mode(len(row) for _, row in timed)
-    timed = [(t, row) for t, row in timed if len(row) == width]
-    rows = [row for _, row in timed]
-    moving = [place for place in range(width) if _moves([row[place] for row in rows], by)]
-    at_once_s = PAIR_FRACTION * topic.period if topic.hz is not None else 0.0
-    changed = [
-        sum(_moves([one, other], by) for one, other in zip(before, after, strict=True))
-        for (t, before), (then, after) in pairwise(timed)
-        if then - t > at_once_s
-    ]
-    enough = sum(n >= at_least for n in changed)
-    if len(moving) >= at_least and enough >= MOSTLY * len(changed):
-        return passed(f"{len(moving)} of {width} {what}s move")
-    expected = (
-        f"at least {count(at_least, what)} that change by more than {by:g} from message to message, in at least "
-        f"{MOSTLY:.0%} of the messages"
-    )
-    if len(rows) < 2 <= len(arrivals):
-        return _other_lengths(len(arrivals), expected)
-    once = "only one message, so no movement can be seen"
-    ended = program_ended(recording, once, expected) if len(rows) < 2 else None
-    return ended or _does_not_vary(len(rows), moving, changed, at_least, expected, what, f"to within {by:g}")
-
-
-def _other_lengths(messages: int, expected: str) -> Verdict:
-    return failed(
-        "varies.other-lengths",
-        f"{count(messages, 'message')} of different lengths, so they can't be compared",
-        expected,
-        "The number of values differs from message to message, so the judge can't tell which of them moved.",
-        "First give every message the same number of values. Then make them move.",
-    )
-
-
-def _does_not_vary(
-    messages: int, moving: list[int], changed: list[int], at_least: int, expected: str, what: str, exact: str
-) -> Verdict:
-    def at_rest(cause: str, saw: str, because: str) -> Verdict:
-        return failed(
-            cause,
-            saw,
-            expected,
-            because,
-            _NEW_ANGLES,
-            about_time=messages < LEAST_MESSAGES,
-        )
-
-    if messages < 2:
-        return at_rest(
-            "varies.one-message",
-            "only one message, so no movement can be seen",
-            "The message is published only once.",
-        )
-    if not moving:
-        return at_rest(
-            "varies.none",
-            f"no {what} moves: every message is the same, {exact}",
-            "The values are set once, outside the callback. Or the movement repeats with the timer's period, so "
-            "every message shows the same pose.",
-        )
-    if len(moving) < at_least:
-        return at_rest("varies.too-few", f"only {what} {moving[0]} moves", "Only one element ever changes.")
-    return _too_little_from_step_to_step(changed, at_least, expected, what, exact)
-
-
-def _too_little_from_step_to_step(
-    changed: list[int], at_least: int, expected: str, what: str, exact: str
-) -> Verdict:
-    """`changed`: how many elements change with each message after the first."""
-
-    def too_little(cause: str, saw: str, because: str) -> Verdict:
-        about_time = len(changed) + 1 < LEAST_MESSAGES
-        return failed(cause, saw, expected, because, _NEW_ANGLES, about_time=about_time)
-
-    still, hardly = changed.count(0), sum(n < at_least for n in changed)
-    messages, fewer = count(len(changed), "message"), f"fewer than {count(at_least, what)}"
-    if 0 < still < hardly:
-        return too_little(
-            "varies.two-kinds",
-            f"of {messages}, {still} are the same as the previous one, {exact}, and {hardly - still} differ from it "
-            f"in {fewer}",
-            "Some calls publish the same values again, and others change too few of them.",
-        )
-    if still:
-        return too_little(
-            "varies.stands-still",
-            f"{still} of {messages} are the same as the previous one, {exact}",
-            "The movement ends, or some calls of the callback compute no new values.",
-        )
-    return too_little(
-        "varies.one-at-a-time",
-        f"{hardly} of {messages} differ from the previous one in {fewer}",
-        "A call often changes too few elements, although other elements change in other calls.",
-    )
-
-
-def _moves(column: list[Any], by: float) -> bool:
-    numbers = [value for value in column if isinstance(value, (int, float)) and math.isfinite(value)]
-    return bool(numbers) and max(numbers) - min(numbers) > by
+    seen = _Movement(recording, topic, at_least, by, what)
+    if seen.enough:
+        return passed(f"{len(seen.moving)} of {seen.width} {what}s move")
+    if len(seen.alike) < 2 <= seen.messages:
+        return _OTHER_LENGTHS.verdict(seen)
+    if len(seen.alike) < 2:
+        once = _ONE_MESSAGE.verdict(seen)
+        return program_ended(recording, once.saw, once.expected) or once
+    at_rest = _AT_REST.first(seen)
+    compared = len(seen.alike) if at_rest else seen.steps + 1
+    return replace(at_rest or _TOO_LITTLE.verdict(seen), about_time=compared < LEAST_MESSAGES)

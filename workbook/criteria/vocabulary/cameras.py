@@ -1,4 +1,4 @@
-"""Pictures of a desk that the judge publishes as a camera, and where a camera sees what is on it."""
+"""Generate images of a desk, which the judge publishes as a camera, and locate the toys in them."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -17,9 +17,9 @@ FRAME_ID = "head_camera_optical_frame"
 
 @dataclass(frozen=True)
 class CameraView:
-    """One picture of a camera: what there is to see, and how it is sent. Its height is 3/4 of its width, in pixels.
+    """One camera image: its scene and its encoding. Its height is 3/4 of its width (both in pixels).
 
-    `stamp`: seconds and nanoseconds. `seed` and `number` decide on the noise. `padding`: unused bytes behind each row.
+    `stamp`: seconds and nanoseconds. `seed` and `number` select the noise. `padding`: the unused bytes after each row.
     """
 
     scene: Scene
@@ -32,7 +32,7 @@ class CameraView:
 
 
 class _Fields(Mapping[str, Any]):
-    """The fields of an Image message, painted when the bytes are asked for."""
+    """The fields of an Image message. The image is rendered when a field is first read."""
 
     def __init__(self, view: CameraView) -> None:
         self._view = view
@@ -69,26 +69,29 @@ class _Fields(Mapping[str, Any]):
 
 
 def camera_image(view: CameraView) -> Mapping[str, Any]:
-    """The fields of a `sensor_msgs/Image` with this picture, for `publish`. It is painted when it is first needed."""
+    """Return the fields of a `sensor_msgs/Image` with this image, for `publish`. The image is rendered on first use."""
     return _Fields(view)
 
 
 def seen_direction(place: Place, width: int = 160) -> tuple[float, float, float]:
-    """Unit vector from a camera to a place (m, axes of the robot): x to the right, y down, z forward."""
+    """Return the unit vector from a camera to a place (m, robot axes): x to the right, y down, z forward."""
     seen = _pinhole(width).seen_from(place)
     x, y, z = (seen / (seen @ seen) ** 0.5).tolist()
     return x, y, z
 
 
 def things_seen(scene: Scene, width: int = 160) -> "list[Thing]":
-    """What a camera sees of the toys on the desk: label, middle and size of the upright box around each (pixels)."""
+    """Return the toys that a camera sees on the desk.
+
+    Each has a label, a center, and the size of its upright box (pixels).
+    """
     from workbook.scenes.tabletop import things_in
 
     return things_in(scene, _pinhole(width))
 
 
 def seen_pixel(place: Place, width: int = 160, pan: float = 0.0) -> tuple[float, float]:
-    """Column and row where a camera sees a place (m, axes of the robot); `pan` (rad) turns the head to the left."""
+    """Return the column and row where a camera sees a place (m, robot axes). `pan` (rad) turns the head to the left."""
     pinhole = _pinhole(width)
     return pinhole.pixel(pinhole.seen_from(place, pan))
 

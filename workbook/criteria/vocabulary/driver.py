@@ -1,6 +1,6 @@
-"""Judges what the driver reports: the program that calls a student's functions and publishes how each call went.
+"""Judge the driver's reports. The driver calls a student's functions and publishes the outcome of each call.
 
-A driver signs its reports (see `workbook/inside/host.py`), and criteria see those alone, without the signatures.
+It signs its reports (see `workbook/inside/host.py`). Criteria see only signed reports, with the signatures removed.
 """
 
 import re
@@ -11,21 +11,25 @@ from itertools import pairwise
 from typing import Any
 
 from workbook.criteria.criterion import Topic
-from workbook.criteria.verdict import Verdict, failed
+from workbook.criteria.rules import Words
+from workbook.criteria.verdict import Verdict
 from workbook.criteria.vocabulary.known_errors import last_error
 from workbook.criteria.vocabulary.values import values
 from workbook.recording.recording import Arrival, Recording
 
+WORDS = Words(__file__)
+
 BEHIND_THE_KEY = bytes(512)
-"""What the driver feeds to the hash after the key, to have the key overwritten."""
+"""The driver feeds these bytes to the hash after the key, so that the key in the hash's buffer is overwritten."""
 _NOT_SIGNED = "not signed by the driver: "
+_FORGED = WORDS.cause("driver.not-signed", ("topic",))
 
 
 def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
-    """The recording as criteria see it: on these topics, only what the driver has signed, each report once.
+    """Return the recording with only the driver's signed reports on these topics, each report once.
 
-    If there was something else, a note says on which topic. Without a key, there was no driver, or one of an old
-    recording; then everything stays as it is.
+    If a topic had any other message, a note names the topic. A recording without a key is returned unchanged: it had no
+    driver, or was made before reports were signed.
     """
     if not recording.process.driver_key:
         return recording
@@ -46,9 +50,9 @@ def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
 
 
 def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | None]:
-    """The number of a report, and the report without its signature; None for one that the driver has not signed.
+    """Return a report's number, and the report without its signature (None if the driver hasn't signed it).
 
-    A text is signed in front of it, and an array in the label of its first dimension.
+    A text's signature is a prefix, and an array's is in the label of its first dimension.
     """
     value = arrival.value
     try:
@@ -64,31 +68,21 @@ def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | No
 
 
 def forged_report(recording: Recording) -> Verdict | None:
-    """A failed verdict if something other than the driver has published on a topic of the driver; None if not."""
+    """Return a failed verdict if anything but the driver published on one of the driver's topics, otherwise None."""
     note = next((note for note in recording.notes if note.startswith(_NOT_SIGNED)), None)
-    if note is None:
-        return None
-    topic = note.removeprefix(_NOT_SIGNED)
-    return failed(
-        "driver.not-signed",
-        f"a message on {topic} without the signature of the judge's driver",
-        f"on {topic}, only messages that the driver has signed",
-        "The driver calls your code and reports the results on this topic. But your program publishes on this "
-        "topic, too.",
-        f"Do not publish on {topic}.",
-    )
+    return None if note is None else _FORGED.verdict(topic=note.removeprefix(_NOT_SIGNED))
 
 
 def driver_reports(recording: Recording, topic: Topic) -> list[str]:
-    """The texts that a driver published on `topic`, in the order of their arrival."""
+    """Return the texts that a driver published on `topic`, in order of arrival."""
     return [str(text) for text in values(recording, topic)]
 
 
 @dataclass
 class DriverCall:
-    """One call by a driver: its number, its argument as Python writes it, and how it came back (None: not reported).
+    """One call by a driver: its number, its argument as Python source, and how it ended (None if unreported).
 
-    `sent`: what the answer published during the call; `later`: what it published between this call and the next.
+    `sent`: the messages that the answer published during the call. `later`: those between this call and the next.
     """
 
     number: int
@@ -100,7 +94,7 @@ class DriverCall:
 
     @property
     def complete(self) -> bool:
-        """Whether both reports of this call arrived, so that what was published is known to belong to it."""
+        """Whether both reports on this call arrived, so that its messages are known to belong to it."""
         return self.argument is not None and self.how is not None
 
 
@@ -109,10 +103,11 @@ _ENDS = re.compile(r"call (?P<number>\d+) (?P<how>returned|raised)(?: (?P<error>
 
 
 def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[DriverCall]:
-    """The calls that a driver reported as "call 3: name(64)" and "call 3 returned" or "call 3 raised ...", in order.
+    """Return the calls that a driver reported, in order.
 
-    The first one has the number 0: it stands for the time before any call. What was published on `output` belongs to
-    the call during which, or after which, it was published. A call of which a report got lost is not `complete`.
+    The reports are "call 3: name(64)" and "call 3 returned" or "call 3 raised ...".
+    The first entry has the number 0, and stands for the time before any call. A message on `output` belongs to the call
+    during or after which it was published. A call with a lost report isn't `complete`.
     """
     heard = [(one.published, 0, one.value.get("data")) for one in recording.topic(report.name).arrivals]
     heard += [(one.published, 1, one.value.get("data")) for one in recording.topic(output.name).arrivals]
@@ -122,7 +117,7 @@ def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[Dri
         if is_output:
             (latest.sent if running else latest.later).append(data)
             continue
-        text = str(data)  # others may publish there, too
+        text = str(data)  # other programs may publish on this topic, too
         found = _BEGINS.fullmatch(text) or _ENDS.fullmatch(text)
         if found is None:
             continue
@@ -136,16 +131,14 @@ def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[Dri
             latest.how, latest.error = found["how"], found["error"] or ""
     for one, following in pairwise(made):
         if following.argument is None or following.number != one.number + 1:
-            one.later.clear()  # nobody knows whose it was
+            one.later.clear()  # it's unknown which call these messages belong to
     return made
 
 
 def failed_in_call(recording: Recording, reported: str, expected: str) -> Verdict | None:
-    """A failed verdict that explains an error in a call by its traceback; None if the log holds none.
+    """Return a failed verdict that explains an error in a call by its traceback; None if the log has none.
 
-    `reported`: what the driver says of the call. The line of the student's file is put before it.
+    `reported`: the driver's report on the call. The line number in the student's file is prepended.
     """
     error = last_error(recording)
-    if error is None:
-        return None
-    return failed(error.cause, f"{error.where}{reported}", expected, error.because, error.try_this)
+    return None if error is None else error.verdict(f"{error.where}{reported}", expected)

@@ -1,4 +1,4 @@
-"""Rates, gaps and pairs from arrival times. Pure functions, robust to jitter and a lost message."""
+"""Estimate rates, gaps, and pairs from arrival times, with pure functions that tolerate jitter and a lost message."""
 
 import statistics
 from collections.abc import Sequence
@@ -9,7 +9,10 @@ PAIR_FRACTION = 0.2
 
 @dataclass(frozen=True)
 class Gap:
-    """The longest silence: from `start` to `end` (s). `kind` tells where: before the first, between, after the last."""
+    """The longest silence, from `start` to `end` (s).
+
+    `kind`: "before" the first message, "between" two, "after" the last, or "nothing" if none arrived.
+    """
 
     start: float
     end: float
@@ -17,13 +20,13 @@ class Gap:
 
     @property
     def seconds(self) -> float:
-        """Length of the silence in s."""
+        """The length of the silence (s)."""
         return self.end - self.start
 
 
 @dataclass(frozen=True)
 class Pace:
-    """How arrivals are spread over a window. `hz` is None with fewer than two arrivals."""
+    """How arrivals are distributed over a window. `hz` is None with fewer than two arrivals."""
 
     count: int
     hz: float | None
@@ -33,19 +36,19 @@ class Pace:
 
     @property
     def in_bursts(self) -> bool:
-        """Whether messages come two or more at a time instead of evenly."""
+        """Whether messages arrive two or more at a time instead of evenly."""
         return self.burst > 1
 
 
 def mean_rate(times: Sequence[float]) -> float | None:
-    """Mean rate in Hz over the intervals between first and last arrival; None with fewer than two."""
+    """Return the mean rate (Hz) between the first and the last arrival; None with fewer than two."""
     if len(times) < 2 or times[-1] <= times[0]:
         return None
     return (len(times) - 1) / (times[-1] - times[0])
 
 
 def longest_gap(times: Sequence[float], start: float, end: float) -> Gap:
-    """The longest silence within [start, end], the edges included."""
+    """Return the longest silence within [start, end], including those at the edges."""
     if not times:
         return Gap(start, end, "nothing")
     gaps = [Gap(start, times[0], "before")]
@@ -55,7 +58,7 @@ def longest_gap(times: Sequence[float], start: float, end: float) -> Gap:
 
 
 def group_starts(times: Sequence[float], near: float) -> list[float]:
-    """Start of each group of arrivals that lie at most `near` seconds from one to the next."""
+    """Return the start of each group of arrivals that are at most `near` seconds apart."""
     starts: list[float] = []
     last = None
     for time in times:
@@ -66,10 +69,10 @@ def group_starts(times: Sequence[float], near: float) -> list[float]:
 
 
 def burst_size(times: Sequence[float], period: float) -> int:
-    """How many messages typically come at once: 1 for an even stream, 2 for pairs.
+    """Return how many messages typically arrive together: 1 for an even stream, 2 for pairs.
 
-    Arrivals closer than a fifth of `period` (s) belong together. A stream that is simply faster than that is even,
-    not one endless burst.
+    Arrivals less than a fifth of `period` (s) apart belong together. A stream that is simply faster than that counts as
+    even, not as one endless burst.
     """
     if len(times) < 4:
         return 1
@@ -83,7 +86,7 @@ def burst_size(times: Sequence[float], period: float) -> int:
 
 
 def pace(times: Sequence[float], start: float, end: float, period: float) -> Pace:
-    """Describe arrivals (s, ascending) in the window [start, end] against an expected `period` (s)."""
+    """Describe the pace of arrivals (s, ascending) in the window [start, end], given the expected `period` (s)."""
     intervals = [b - a for a, b in zip(times, times[1:], strict=False)]
     return Pace(
         count=len(times),

@@ -1,8 +1,8 @@
-"""Values that suggest a wrong type in a message field, and the error that field checks raise for it.
+"""Find values that suggest a wrong type in a message field, and the error that field checks raise for it.
 
-The message packages of these wheels send an int in a float field as 0.0, silently. With field checks on, the same
-line raises an AssertionError. The judge runs such a program a second time with checks on and notes the error in the
-recording, so that criteria stay functions of the recording alone.
+With the message packages in these wheels, an int in a float field is silently sent as 0.0. With field checks on, the
+same line raises an AssertionError. So the judge runs such a program again with the checks on. It adds the error to
+the recording as a note, so that criteria remain functions of the recording alone.
 """
 
 from workbook.criteria.vocabulary.known_errors import find_error
@@ -10,12 +10,12 @@ from workbook.recording.recording import ProcessRecord, Recording
 
 _CHECKED = "with field checks on: "
 GIVEN = "It was given "
-"""In a note that tells what a field was given."""
+"""Marks a note that names the value that a field was given."""
 _NO_COMPLAINT = "no complaint"
 
 
 def field_check_note(process: ProcessRecord) -> str:
-    """The note for a recording: what a run with field checks on had to say."""
+    """Return the recording's note on a run with field checks on: its error, or that there was none."""
     error = find_error(process.log, process.program)
     if error is None or not error.error.startswith("AssertionError"):
         return _CHECKED + _NO_COMPLAINT
@@ -24,12 +24,12 @@ def field_check_note(process: ProcessRecord) -> str:
 
 
 def said_by_field_checks(recording: Recording) -> str | None:
-    """What the program said with field checks on: "" when nothing, None when it has not run with them."""
+    """Return the error from a run with field checks on: "" if it had none, None if there was no such run."""
     said = next((note.removeprefix(_CHECKED) for note in recording.notes if note.startswith(_CHECKED)), None)
     return "" if said == _NO_COMPLAINT else said
 
 
-def quoting_field_checks(recording: Recording, suspicion: str) -> str:
-    """The reason `suspicion`, with what the field checks said where they said something."""
+def quoted_field_checks(recording: Recording) -> str:
+    """Return the field checks' error as a sentence to append to a suspicion; "" if there was none."""
     said = said_by_field_checks(recording)
-    return f"{suspicion} With field checks on, your program reports it itself: {said}" if said else suspicion
+    return f" With field checks on, your program reports it itself: {said}" if said else ""

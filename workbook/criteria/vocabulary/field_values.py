@@ -1,7 +1,11 @@
-"""Explains a value that does not fit its field. `workbook/inside/field_values.py` adds the line that says it."""
+"""Explain a value that doesn't fit its field. `workbook/inside/field_values.py` adds the line that describes it."""
 
 import re
 from dataclasses import dataclass
+
+from workbook.criteria.rules import Words, otherwise
+
+WORDS = Words(__file__)
 
 _NOTE = re.compile(
     r"The field '(?P<field>[^']+)' of (?P<message>\w+) takes (?P<kind>.+?), and got (?P<given>[\w.]+): (?P<value>.*)$",
@@ -10,58 +14,60 @@ _NOTE = re.compile(
 _FIELDS = re.compile(r"^The fields of (?P<message>\w+) are: (?P<names>.+)$", re.MULTILINE)
 _LIST = re.compile(r"^sequence<|\]$")
 _ONE_IN_A_TUPLE = re.compile(r"^\((?:'[^']*'|\"[^\"]*\"|[^,]+),\)$")
+_UNKNOWN = WORDS.reason("error.unknown-field", ("message", "names"))
 
 
 @dataclass(frozen=True)
 class Misfit:
-    """Why a value does not fit its field, and what to try."""
+    """A field of one type, and a value of another type that was assigned to it."""
 
-    because: str
-    try_this: str
+    field: str
+    message: str
+    kind: str
+    given: str
+    value: str
+
+    @property
+    def takes_list(self) -> bool:
+        """Whether the field is an array."""
+        return _LIST.search(self.kind) is not None
+
+    @property
+    def short_kind(self) -> str:
+        """The type without its package."""
+        return self.kind.rpartition("/")[2]
 
 
-def unknown_field(told: str) -> Misfit | None:
-    """What an error says about the fields of a message that lacks one; None if it says nothing."""
-    found = _FIELDS.search(told)
-    if found is None:
-        return None
-    return Misfit(
-        f"{found['message']} has no field of that name. Its fields are: {found['names']}.",
-        "Use one of these names.",
+_MISFITS = [
+    (WORDS.reason(f"misfit.{reason}", Misfit), fits)
+    for reason, fits in (
+        (
+            "tuple",
+            lambda one: one.given == "tuple" and _ONE_IN_A_TUPLE.match(one.value) and not one.takes_list,
+        ),
+        ("list", lambda one: one.takes_list),
+        ("time", lambda one: one.kind == "builtin_interfaces/Time"),
+        ("duration", lambda one: one.kind == "builtin_interfaces/Duration"),
+        ("message", lambda one: "/" in one.kind),
+        ("float", lambda one: one.kind in ("float", "double")),
+        ("text", lambda one: one.kind.startswith(("string", "wstring"))),
+        ("boolean", lambda one: one.kind == "boolean"),
+        ("too-large", lambda one: one.given == "int"),
+        ("whole-number", otherwise),
     )
+]
 
 
-def value_that_misfits(told: str) -> Misfit | None:
-    """What an error says about a field and its value; None if it says nothing."""
+def unknown_field(told: str) -> tuple[str, str] | None:
+    """Return why a message has no such field, and what to try; None if the error doesn't say."""
+    found = _FIELDS.search(told)
+    return None if found is None else _UNKNOWN(**found.groupdict())
+
+
+def value_that_misfits(told: str) -> tuple[str, str] | None:
+    """Return why a value doesn't fit its field, and what to try; None if the error doesn't say."""
     found = _NOTE.search(told)
     if found is None:
         return None
-    kind, given = found["kind"], found["given"]
-    takes = f"The field '{found['field']}' of {found['message']} takes {kind}."
-    because = f"{takes} It was given {given}: {found['value']}."
-    if given == "tuple" and _ONE_IN_A_TUPLE.match(found["value"]) and not _LIST.search(kind):
-        return Misfit(
-            f"{because} A comma at the end of a line makes a tuple with one item.",
-            "Remove the comma after the value.",
-        )
-    return Misfit(because, _advice(kind, given))
-
-
-def _advice(kind: str, given: str) -> str:
-    if _LIST.search(kind):
-        return "Give the field a flat list, and each element the type that the field takes."
-    if kind == "builtin_interfaces/Time":
-        return "Give the field a Time message: self.get_clock().now().to_msg()."
-    if kind == "builtin_interfaces/Duration":
-        return "Give the field a Duration message: Duration(seconds=1.0).to_msg()."
-    if "/" in kind:
-        return f"Give the field a {kind.rpartition('/')[2]} message, or fill its fields one by one."
-    if kind in ("float", "double"):
-        return "Give the field a float: float(level), or 100.0 instead of 100."
-    if kind.startswith(("string", "wstring")):
-        return "Give the field a string: 'a word', str(value), or text.decode() for bytes."
-    if kind == "boolean":
-        return "Give the field True or False."
-    if given == "int":
-        return f"Give the field a whole number that fits into {kind}."
-    return "Give the field a whole number: int(value), or round(value)."
+    misfit = Misfit(**found.groupdict())
+    return next(reason(misfit) for reason, fits in _MISFITS if fits(misfit))

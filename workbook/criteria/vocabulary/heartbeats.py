@@ -1,4 +1,4 @@
-"""Judges a heartbeat: whether it continues, also while the program is busy with something else."""
+"""Judge a heartbeat: whether it continues, even while the program is busy with something else."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
@@ -13,46 +13,47 @@ from workbook.recording.recording import Recording
 
 @dataclass(frozen=True)
 class Beats:
-    """The beats that came, how many were due, and the longest silence.
+    """The beats that arrived, how many were due, and the longest silence.
 
-    `typical_s`: the typical interval (s) between two; 0 with fewer than two.
+    `times`: arrival times (s of simulated time). `typical_s`: the typical interval (s) between two beats; 0 with fewer
+    than two. `burst`: how many beats typically arrive together.
     """
 
-    count: int
+    times: tuple[float, ...]
+    hz: float
     due: int
     typical_s: float
     silence: Gap
+    burst: int
+
+    @property
+    def count(self) -> int:
+        """The number of beats that arrived."""
+        return len(self.times)
+
+    @property
+    def last_s(self) -> float:
+        """The time of the last beat (s); 0 without any."""
+        return self.times[-1] if self.times else 0.0
 
     @property
     def share(self) -> float:
-        """Beats that came, divided by the beats that were due; more than 1 when there were too many."""
+        """The number of beats that arrived, divided by the number due; more than 1 if there were too many."""
         return self.count / max(1, self.due)
+
+    def within(self, spans: Sequence[tuple[float, float]]) -> list[int]:
+        """Count the beats in each span (start and end in s), such as the spans in which the program is busy."""
+        times = sorted(self.times)
+        return [max(0, bisect_right(times, end) - bisect_left(times, begin)) for begin, end in spans]
+
+    def due_within(self, spans: Sequence[tuple[float, float]]) -> float:
+        """Compute how many beats are due in these spans in total."""
+        return sum(end - begin for begin, end in spans) * self.hz
 
 
 def beats(recording: Recording, topic: Topic) -> Beats:
-    """The beats of `topic` in its window: how many came, how many were due, and the longest silence."""
-    seen = topic_pace(recording, topic)
-    start, end = window_of(recording, recording.topic(topic.name))
-    return Beats(seen.count, round((end - start) * (topic.hz or 0.0)), seen.typical_interval or 0.0, seen.gap)
-
-
-@dataclass(frozen=True)
-class BeatsMeanwhile:
-    """The beats that came in some spans, and how many were due. `silent_from` (s): begins of spans without any."""
-
-    came: int
-    due: float
-    silent_from: tuple[float, ...]
-
-
-def beats_meanwhile(
-    recording: Recording, topic: Topic, spans: Sequence[tuple[float, float]]
-) -> BeatsMeanwhile:
-    """How many beats came and were due while the program was busy. `spans`: start and end (s of simulated time)."""
-    times = sorted(arrival.t for arrival in recording.topic(topic.name).arrivals)
-    came = [max(0, bisect_right(times, end) - bisect_left(times, begin)) for begin, end in spans]
-    return BeatsMeanwhile(
-        came=sum(came),
-        due=sum(end - begin for begin, end in spans) * (topic.hz or 0.0),
-        silent_from=tuple(begin for (begin, _), beats in zip(spans, came, strict=True) if not beats),
-    )
+    """Return the beats of `topic` in its window: their times, how many were due, and the longest silence."""
+    seen, arrived = topic_pace(recording, topic), recording.topic(topic.name)
+    start, end = window_of(recording, arrived)
+    times, hz = tuple(arrival.t for arrival in arrived.arrivals), topic.hz or 0.0
+    return Beats(times, hz, round((end - start) * hz), seen.typical_interval or 0.0, seen.gap, seen.burst)

@@ -1,4 +1,4 @@
-"""Finds the error in a program's log and explains it; tells rclpy's own shutdown errors from faults of the program."""
+"""Find and explain the error in a program's log, and separate rclpy's own shutdown errors from the program's faults."""
 
 import re
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from workbook.recording.recording import Recording
 
 @dataclass(frozen=True)
 class ProgramError:
-    """An error that ended (or crippled) a program: its last line, where it happened, its cause id, why, what to try."""
+    """An error that ended (or crippled) a program: its last line, line number, cause id, reason, and what to try."""
 
     error: str
     line: int | None
@@ -31,13 +31,17 @@ class ProgramError:
 
     @property
     def where(self) -> str:
-        """The line number as a prefix for a message, "line 12: "; empty when the line is not known."""
+        """The line number as a prefix for a message, "line 12: "; empty if unknown."""
         return f"line {self.line}: " if self.line is not None else ""
+
+    def verdict(self, saw: str, expected: str, *, about_time: bool = False) -> Verdict:
+        """Return a failed verdict that blames this error."""
+        return failed(self.cause, saw, expected, self.because, self.try_this, about_time=about_time)
 
 
 _SAYS_NOT_WHICH_NAME = (UNKNOWN_ERROR.cause, "error.module-without-name", "error.import-not-found")
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
-"""PyTorch and others start their threads by OpenMP, which ends the process when the kernel refuses one."""
+"""PyTorch and others start threads through OpenMP, which ends the process if the kernel refuses one."""
 _EXECUTOR_LEFT = re.compile(
     r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
     + re.escape(TRACEBACK)
@@ -52,10 +56,10 @@ _EXECUTOR = "/rclpy/executors.py"
 
 
 def find_error(log: str, program_name: str = "") -> ProgramError | None:
-    """The Python error to blame in a program's log, explained; None if there is none.
+    """Return the Python error to blame in a program's log, with an explanation; None if there is none.
 
-    Of several it is the last one of the main program; of chained ones the first: see `main_one` and `first_cause`.
-    Only frames of the student's own file (`program_name`) give the line number, when the name is known.
+    Of several errors, it's the main program's last one, and in a chain, the first one: see `main_one` and
+    `first_cause`. If `program_name` is known, the line number comes only from frames in that file.
     """
     log = without_executors_end(log)
     chains = chains_in(log)
@@ -73,7 +77,10 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
 
 
 def _error_of_library(log: str) -> ProgramError | None:
-    """The last line of a log, if OpenMP says in it why it has ended the program: then there is no traceback."""
+    """Return the log's last line as an error if OpenMP explains in it why it ended the program.
+
+    Such an end has no traceback. The result is None for any other log.
+    """
     lines = log.strip().splitlines()
     return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
 
@@ -81,30 +88,29 @@ def _error_of_library(log: str) -> ProgramError | None:
 def _explained(error: str, told: str, line: int | None, *, own: bool = False) -> ProgramError:
     unknown = unknown_field(told)
     if unknown is not None:
-        return ProgramError(error, line, "error.unknown-field", unknown.because, unknown.try_this)
+        return ProgramError(error, line, "error.unknown-field", *unknown)
     foreign = foreign_name(error) or name_elsewhere(error)
     if foreign is not None:
         return ProgramError(error, line, *foreign)
-    for known in KNOWN_ERRORS:
-        if re.search(known.pattern, error) or re.search(known.pattern, told):
-            break
-    else:
-        known = UNKNOWN_ERROR
+    known = next(
+        (one for one in KNOWN_ERRORS if re.search(one.pattern, error) or re.search(one.pattern, told)),
+        UNKNOWN_ERROR,
+    )
     missing = missing_name(error, told, own=own) if known.cause in _SAYS_NOT_WHICH_NAME else None
     if missing is not None:
         return ProgramError(error, line, *missing)
-    field = value_that_misfits(told)
-    if field is None:
-        return ProgramError(error, line, known.cause, known.because, known.try_this)
+    misfit = value_that_misfits(told)
+    if misfit is None:
+        return ProgramError(error, line, known.cause, *known.explained())
     cause = known.cause if known.cause.startswith("error.field") else "error.wrong-value-type"
-    return ProgramError(error, line, cause, field.because, field.try_this)
+    return ProgramError(error, line, cause, *misfit)
 
 
 def without_executors_end(log: str) -> str:
-    """The log without what rclpy prints at the end of a program that has done nothing wrong.
+    """Return the log without the lines that rclpy prints at the end of a correct program.
 
     - "Exception ignored in Executor.__del__": Python may collect an executor's guard condition before the executor,
-      whose finalizer then tries to destroy it once more. Seen twice in some thousand ends.
+      whose finalizer then tries to destroy it again. This was seen twice in a few thousand ends.
     - "Exception in thread" from a thread that spins while another one shuts the context down: see `shutdown_overtaken`.
 
     Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__, Executor.shutdown).
@@ -113,70 +119,56 @@ def without_executors_end(log: str) -> str:
 
 
 def failed_while_spinning(log: str) -> bool:
-    """Whether the last Python error in a log came out of a callback: rclpy's executor is among the calls above it."""
+    """Return whether the last Python error in a log came from a callback.
+
+    In that case, the traceback contains rclpy's executor.
+    """
     found = main_one(chains_in(without_executors_end(log)), "")
     return found is not None and any(frame["file"].endswith(_EXECUTOR) for frame in found.frames())
 
 
 def shutdown_overtaken(log: str) -> bool:
-    """Whether the only error in a log is that Ctrl-C shut the context down in the middle of rclpy's own work.
+    """Return whether a log's only error is that Ctrl-C shut the context down in the middle of rclpy's own work.
 
-    `rclpy.try_shutdown()` checks whether the context is up, and then shuts it down. A spin checks whether it is up, and
-    then waits. The thread of rclpy that handles Ctrl-C may shut it down in between; then a correct program ends with a
-    traceback and exit code 1. Measured: `try_shutdown` 4 of about 550 ends on two processors with work for ten.
-    And a Ctrl-C that comes while rclpy makes a message comes out as another error: see `TAKE_OVERTAKEN`.
-    Any program can print this text, so it is a reason to look again (`conclusiveness`), and never one to forgive.
-    Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
+    `rclpy.try_shutdown()` checks whether the context is up, and then shuts it down. A spin checks whether it's up, and
+    then waits. In between, rclpy's thread that handles Ctrl-C may shut the context down. A correct program then ends
+    with a traceback and exit code 1. Measured: `try_shutdown` failed in 4 of about 550 ends, on two processors with
+    work for ten. A Ctrl-C that arrives while rclpy creates a message leads to a different error: see `TAKE_OVERTAKEN`.
+    Because any program can print this text, it's a reason to try again (`workbook.exercise.inconclusive`), but never a
+    reason to forgive. Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
     https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor._wait_for_ready_callbacks).
     """
     log = without_executors_end(log)
     return log.count(TRACEBACK) == 1 and re.search(OVERTAKEN, log) is not None
 
 
-def ended_in_order(exit_code: int | None, end_log: str) -> bool:
-    """Whether a program ended with exit code 0 and no traceback, apart from rclpy's own shutdown errors.
-
-    For programs that are trusted: see `shutdown_overtaken` and `without_executors_end`.
-    """
-    if exit_code == 1:
-        return shutdown_overtaken(end_log)
-    return exit_code == 0 and TRACEBACK not in without_executors_end(end_log)
-
-
 def last_error(recording: Recording) -> ProgramError | None:
-    """The last Python error in the log of the program, explained; None if there is none."""
+    """Return the last Python error in the program's log, with an explanation; None if there is none."""
     return find_error(recording.process.log, recording.process.program)
 
 
 def failed_by_error(
     recording: Recording, saw: str, expected: str, *, about_time: bool = False
 ) -> Verdict | None:
-    """A failed verdict that blames the last Python error in the program's log; None if there is none.
+    """Return a failed verdict that blames the last Python error in the program's log; None if there is none.
 
-    `saw` says what is missing because of it; the error is put behind it.
+    `saw` says what is missing because of the error, which is appended to it.
     """
     error = last_error(recording)
     if error is None:
         return None
     told = f"{error.where}{error.error}"
-    return failed(
-        error.cause,
-        f"{saw}: {told}" if saw else told,
-        expected,
-        error.because,
-        error.try_this,
-        about_time=about_time,
-    )
+    return error.verdict(f"{saw}: {told}" if saw else told, expected, about_time=about_time)
 
 
 def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames the last Python error after Ctrl-C; None if there is none, or only rclpy's own.
+    """Return a failed verdict that blames the last Python error after Ctrl-C.
 
-    `saw` says what is missing because of it; the error is put behind it.
+    The result is None if there is no error, or only rclpy's own. `saw` says what is missing because of the error, which
+    is appended to it.
     """
     process = recording.process
     error = None if shutdown_overtaken(process.end_log) else find_error(process.end_log, process.program)
     if error is None:
         return None
-    told = f"{saw}; error after Ctrl-C: {error.where}{error.error}"
-    return failed(error.cause, told, expected, error.because, error.try_this)
+    return error.verdict(f"{saw}; error after Ctrl-C: {error.where}{error.error}", expected)

@@ -1,6 +1,10 @@
-"""Names that rclpy and the message packages have, but in another module; and methods of ROS 1 and of C++."""
+"""List names that rclpy and the message packages define in another module, and methods from ROS 1 and C++."""
 
 import re
+
+from workbook.criteria.rules import Words
+
+WORDS = Words(__file__)
 
 _MODULES = {
     "rclpy.node": "Node",
@@ -27,35 +31,34 @@ _MODULES = {
     "std_srvs.srv": "SetBool Trigger",
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names.split()}
-_ROS1, _CPP = "ROS 1 (rospy)", "the C++ library (rclcpp)"
-_METHODS: dict[str, tuple[str, str]] = {
+_ELSEWHERE = WORDS.reason("error.name-in-other-module", ("name", "home", "module"))
+_SEVERITIES = {
+    "debug": "debug",
+    "info": "info",
+    "warn": "warning",
+    "err": "error",
+    "error": "error",
+    "fatal": "fatal",
+}
+_METHODS = {
+    **{f"log{level}": ("ros-1.log", severity) for level, severity in _SEVERITIES.items()},
     **{
-        f"log{level}": (_ROS1, f"Use get_logger().{word}('text').")
-        for level, word in (
-            ("debug", "debug"),
-            ("info", "info"),
-            ("warn", "warning"),
-            ("err", "error"),
-            ("error", "error"),
-            ("fatal", "fatal"),
-        )
-    },
-    **{
-        f"{level}_throttle": (_CPP, f"Use {level}('text', throttle_duration_sec=1.0).")
+        f"{level}_throttle": ("cpp.throttle", level)
         for level in ("debug", "info", "warn", "warning", "error")
     },
-    "to_sec": (_ROS1, "Use nanoseconds / 1e9."),
-    "to_nsec": (_ROS1, "Use nanoseconds."),
-    "get_num_connections": (_ROS1, "Use get_subscription_count()."),
-    "is_shutdown": (_ROS1, "Use rclpy.ok()."),
-    "seconds": (_CPP, "Use nanoseconds / 1e9."),
-    "create_wall_timer": (_CPP, "Use create_timer(period, callback)."),
-    "async_send_request": (_CPP, "Use call_async(request)."),
-    "spin_some": (_CPP, "Use rclpy.spin_once(node, timeout_sec=0.0), or let rclpy.spin(node) wait."),
+    **{name: (f"ros-1.{name}", "") for name in ("to_sec", "to_nsec", "get_num_connections", "is_shutdown")},
+    **{
+        name: (f"cpp.{name}", "")
+        for name in ("seconds", "create_wall_timer", "async_send_request", "spin_some")
+    },
+}
+_OF_METHODS = {
+    name: (WORDS.reason(entry, ("name", "severity")), severity)
+    for name, (entry, severity) in _METHODS.items()
 }
 _METHOD = re.compile(r"(?:'(?P<owner>\w+)' object|module 'rclpy') has no attribute '(?P<name>\w+)'")
 _OF_TIMES = ("seconds", "to_sec", "to_nsec")
-"""An object of another class may have an attribute of its own with this name."""
+"""Objects of other classes may define an attribute with one of these names."""
 _NAME = re.compile(
     r"module '(?P<in>[\w.]+)' has no attribute '(?P<name>\w+)'|"
     r"cannot import name '(?P<imported>\w+)' from '(?P<from>[\w.]+)'"
@@ -64,26 +67,19 @@ _ROS_MODULE = re.compile(r"rclpy\b|\w+_(?:msgs|srvs|interfaces)\b")
 
 
 def name_elsewhere(error: str) -> tuple[str, str, str] | None:
-    """The cause id for a name that is at another place, where it is, and what to write; None for others."""
+    """Return the cause id for a name in another module, where it is, and what to write; None for other errors."""
     asked = _NAME.search(error)
     name, module = (asked["name"] or asked["imported"], asked["in"] or asked["from"]) if asked else ("", "")
     home = _HOMES.get(name, module)
     if module.endswith(".msg") and home in ("rclpy.duration", "rclpy.time"):
-        home = "builtin_interfaces.msg"  # std_msgs of ROS 1 had them
+        home = "builtin_interfaces.msg"  # in ROS 1, std_msgs had these messages
     if home != module and _ROS_MODULE.match(module):
-        return (
-            "error.name-in-other-module",
-            f"{name} is in {home}, not in {module}.",
-            f"Write from {home} import {name}.",
-        )
+        return _ELSEWHERE.id, *_ELSEWHERE(name=name, home=home, module=module)
     method = _METHOD.search(error)
-    if method is None or method["name"] not in _METHODS:
+    if method is None or method["name"] not in _OF_METHODS:
         return None
     if method["name"] in _OF_TIMES and method["owner"] not in ("Time", "Duration", None):
         return None
-    source, instead = _METHODS[method["name"]]
-    return (
-        "error.name-of-ros-1" if source == _ROS1 else "error.name-of-cpp",
-        f"The name {method['name']} belongs to {source}. rclpy doesn't have it here.",
-        instead,
-    )
+    reason, severity = _OF_METHODS[method["name"]]
+    cause = "error.name-of-ros-1" if reason.id.startswith("ros-1.") else "error.name-of-cpp"
+    return cause, *reason(name=method["name"], severity=severity)

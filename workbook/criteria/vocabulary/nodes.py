@@ -1,89 +1,105 @@
-"""Judges the nodes of a program on the graph."""
+"""Judge a program's nodes on the graph."""
 
 import difflib
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
 
-from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.rules import Words, otherwise
+from workbook.criteria.verdict import Verdict, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
-from workbook.criteria.vocabulary.phrasing import count, listing
+from workbook.criteria.vocabulary.phrasing import count
 from workbook.recording.recording import NodeSeen, Recording
+
+WORDS = Words(__file__)
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    """A node that should be on the graph, and the nodes found there. `other`: the one to compare with."""
+
+    wanted: str
+    found: Mapping[str, NodeSeen]
+    beside: Collection[str]
+    how: str
+    other: str = ""
+
+    @property
+    def most(self) -> int:
+        return self.found[self.wanted].most
+
+    @property
+    def names(self) -> list[str]:
+        return sorted(self.found)
+
+    @property
+    def duplicate(self) -> str | None:
+        """The name of another required node that is on the graph more than once; None if there is none."""
+        return next((name for name in self.beside if name in self.found and self.found[name].most > 1), None)
+
+    @property
+    def duplicates(self) -> int:
+        return self.found[self.duplicate or ""].most
+
+    @cached_property
+    def others(self) -> list[str]:
+        return sorted(self.found.keys() - set(self.beside))
+
+    @property
+    def base(self) -> str:
+        return self.wanted.rsplit("/", 1)[1]
+
+    @property
+    def namespace(self) -> str:
+        return self.other.rpartition("/")[0] or "/"
+
+    @property
+    def name(self) -> str:
+        return self.other.rpartition("/")[2]
+
+    @property
+    def near(self) -> list[str]:
+        return difflib.get_close_matches(self.wanted, self.others, 1, 0.6)
+
+
+_TWICE = WORDS.cause("on-the-graph.twice", _Wanted)
+_BY_ERROR = WORDS.seen("on-the-graph.by-error", _Wanted)
+_NOT_MADE = WORDS.rules(
+    _Wanted,
+    "on-the-graph",
+    ("no-node", lambda node: not node.found),
+    ("name-of-another", lambda node: node.duplicate is not None),
+    ("never-made", lambda node: not node.others),
+)
+_LIKE_ANOTHER = WORDS.rules(
+    _Wanted,
+    "on-the-graph",
+    ("other-case", lambda node: node.other.lower() == node.wanted.lower()),
+    ("slash-for-underscore", lambda node: node.other.replace("/", "_") == node.wanted.replace("/", "_")),
+    ("name-as-namespace", lambda node: node.namespace == node.wanted),
+    ("other-namespace", lambda node: node.name == node.base),
+)
+_UNLIKE = WORDS.rules(
+    _Wanted, "on-the-graph", ("misspelled", lambda node: node.near), ("other-name", otherwise)
+)
+_CUT_OFF = WORDS.cause("nodes-gone-at-end.cut-off", ("left",))
 
 
 def on_the_graph(
     recording: Recording, name: str, *, beside: Collection[str] = (), how: str | None = None
 ) -> Verdict:
-    """A node of the fully qualified name `name`, such as "/robot/left_camera", is on the graph, once.
+    """Check that exactly one node with the fully qualified name `name`, such as "/robot/left_camera", is on the graph.
 
-    `beside`: other nodes that a right program has, so that none of them is taken for a misspelled `name`. `how`: what
-    to do when it has another name.
+    `beside`: the exercise's other nodes, so that none of them looks like a misspelled `name`. `how`: what to do if the
+    node has a different name.
     """
-    expected = f"one node {name}"
     found = {node.name: node for node in recording.nodes}
-    if name in found and found[name].most == 1:
-        return passed(f"{name} is on the graph")
+    node = _Wanted(name, found, beside, how or _how(name))
     if name in found:
-        return failed(
-            "on-the-graph.twice",
-            f"{found[name].most} nodes are called {name}",
-            expected,
-            "ROS allows duplicate node names. Every node with that name responds to a request, and the caller "
-            "receives the first response.",
-            "Give each node its own name, or create only one of them.",
-        )
-    blamed = failed_by_error(recording, f"no node {name}", expected)
-    if blamed is not None:
-        return blamed
-    if not found:
-        return failed(
-            "on-the-graph.no-node",
-            f"no node {name}, nor any other node",
-            expected,
-            "The program never reaches the line that creates a node.",
-            "Call rclpy.init(), then create the node.",
-        )
-    return _not_there(found, name, beside, how or _how(name))
-
-
-def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[str], try_this: str) -> Verdict:
-    def fail(cause: str, because: str) -> Verdict:
-        saw = f"no node {wanted}, only {listing(sorted(found))}"
-        return failed(cause, saw, f"one node {wanted}", because, try_this)
-
-    duplicate = next((name for name in beside if name in found and found[name].most > 1), None)
-    if duplicate is not None:
-        return fail(
-            "on-the-graph.name-of-another",
-            f"It has the name of another node: {found[duplicate].most} nodes are called {duplicate}.",
-        )
-    others = sorted(found.keys() - set(beside))
-    if not others:
-        return fail("on-the-graph.never-made", "It was never created, or the program doesn't store it.")
-    base = wanted.rsplit("/", 1)[1]
-    for other in others:
-        namespace, _, name = other.rpartition("/")
-        if other.lower() == wanted.lower():
-            return fail("on-the-graph.other-case", "Names are case-sensitive.")
-        if other.replace("/", "_") == wanted.replace("/", "_"):
-            return fail(
-                "on-the-graph.slash-for-underscore",
-                f"The part before the last slash, {namespace or '/'}, is the namespace. The node is called {name}.",
-            )
-        if namespace == wanted:
-            return fail(
-                "on-the-graph.name-as-namespace",
-                f"{base} is part of the namespace of {other}. The node itself is still called {name}.",
-            )
-        if name == base:
-            return fail(
-                "on-the-graph.other-namespace",
-                f"The name is right, but the node is in the namespace {namespace or '/'}.",
-            )
-    near = difflib.get_close_matches(wanted, others, 1, 0.6)
-    if near:
-        return fail(
-            "on-the-graph.misspelled", f"{near[0]} is close, but ROS compares names letter by letter."
-        )
-    return fail("on-the-graph.other-name", "The node has another name, or was never created.")
+        return passed(f"{name} is on the graph") if node.most == 1 else _TWICE.verdict(node)
+    early = failed_by_error(recording, *_BY_ERROR(node)) or _NOT_MADE.first(node)
+    alike = (_LIKE_ANOTHER.first(replace(node, other=other)) for other in node.others)
+    return early or next((verdict for verdict in alike if verdict), None) or _UNLIKE.verdict(node)
 
 
 def _how(name: str) -> str:
@@ -93,21 +109,14 @@ def _how(name: str) -> str:
 
 
 def nodes_gone_at_end(recording: Recording) -> Verdict:
-    """When the program has ended, none of its nodes is on the graph any more.
+    """Check that none of the program's nodes is left on the graph after the program has ended.
 
-    Needs `watching(to_the_end=True)`; raises ValueError when the recording does not hold the end.
+    Needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the end.
     """
     watched = [node for node in recording.nodes if node.stayed is not None]
     if recording.nodes and not watched:
         raise ValueError("nodes_gone_at_end needs watching(to_the_end=True) in the criteria file")
     left = [node.name for node in watched if node.stayed]
-    if not left:
-        return passed(f"{count(len(watched), 'node')} gone from the graph")
-    return failed(
-        "nodes-gone-at-end.cut-off",
-        f"{listing(left)} still on the graph after the program had ended",
-        "none of the program's nodes on the graph once it has ended",
-        "The program ended abruptly (os._exit, a kill, an abort), so its node was never removed. Other programs "
-        "still see the node for up to 20 s.",
-        "Let main() return: catch KeyboardInterrupt around the spin, then call rclpy.try_shutdown().",
+    return (
+        _CUT_OFF.verdict(left=left) if left else passed(f"{count(len(watched), 'node')} gone from the graph")
     )

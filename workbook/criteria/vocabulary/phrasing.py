@@ -1,30 +1,34 @@
-"""How feedback spells numbers, durations, rates and lists."""
+"""Format numbers, durations, rates, and lists for feedback."""
 
-import math
 from collections.abc import Sequence
+from decimal import Decimal
 
 MOST_NAMES = 12
+SMALLEST, LARGEST = 1e-9, 1e12
+"""Numbers in this range are written without an exponent."""
 
 
 def number(value: float) -> str:
-    """A number as a person would say it: 0.5, 12, 3.142."""
-    if not math.isfinite(value):
-        return str(value)
-    return f"{value:.4g}"
+    """Return a number as a person would write it.
+
+    Examples are 0.5, 12, 3.142, and 137000. Only absurd numbers, such as 1e38, have an exponent.
+    """
+    text = f"{value:.4g}"
+    return f"{Decimal(text):f}" if "e" in text and SMALLEST <= abs(value) < LARGEST else text
 
 
 def hertz(value: float) -> str:
-    """A measured rate, rounded to what can be told from a few messages: 0.5, 1.1, 100."""
+    """Return a measured rate in Hz, rounded to the precision that a few messages allow: 0.5, 1.1, 100."""
     return f"{float(f'{value:.2g}'):g}"
 
 
 def seconds(value: float) -> str:
-    """A duration: 2.0 s."""
+    """Return a duration with its unit, such as "2.0 s"."""
     return f"{value:.1f} s"
 
 
 def listing(names: Sequence[str]) -> str:
-    """Names as an English list. If there are very many: the first ones, and how many more there are."""
+    """Return names as an English list. A very long list is cut to its first names and the number of the others."""
     if len(names) > MOST_NAMES + 1:
         names = [*names[:MOST_NAMES], f"{len(names) - MOST_NAMES} more"]
     if len(names) < 2:
@@ -33,10 +37,10 @@ def listing(names: Sequence[str]) -> str:
 
 
 def nodes_are(names: Sequence[str]) -> str:
-    """The beginning of a sentence on nodes: "node /a is" or "nodes /a and /b are"."""
+    """Return the beginning of a sentence about nodes: "node /a is" or "nodes /a and /b are"."""
     return f"node {names[0]} is" if len(names) == 1 else f"nodes {listing(names)} are"
 
 
 def count(n: int, noun: str) -> str:
-    """A number with its noun in the right form."""
+    """Return a number with its noun, in the singular or plural."""
     return f"{n} {noun}" if n == 1 else f"{n} {noun}s"

@@ -1,4 +1,4 @@
-"""Measures the processor time that a program uses."""
+"""Measure a program's CPU use."""
 
 from workbook.recording.recording import Recording
 
@@ -6,9 +6,9 @@ from workbook.recording.recording import Recording
 def processor_share(
     recording: Recording, begin: float | None = None, end: float | None = None
 ) -> float | None:
-    """Share of one processor (1.0: all of it) that the program used between two moments of wall time (s).
+    """Return the average share of one processor (1.0: all of it) that the program used between two wall times (s).
 
-    None when the recording holds fewer than two samples from then.
+    The result is None if the recording has fewer than two samples in that span.
     """
     samples = [
         (wall, used)

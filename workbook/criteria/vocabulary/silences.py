@@ -1,39 +1,42 @@
-"""Tells why a topic stopped: the program crashed, it ended, nothing at all comes any more, or the others go on."""
+"""Explain why a topic stopped: the program crashed, it ended, all topics stopped, or only that topic did."""
 
 from itertools import pairwise
 
 from workbook.criteria.criterion import Topic
-from workbook.criteria.verdict import Verdict, failed
+from workbook.criteria.rules import Words
+from workbook.criteria.verdict import Verdict
 from workbook.criteria.vocabulary.known_errors import failed_by_error
-from workbook.criteria.vocabulary.phrasing import listing, seconds
 from workbook.criteria.vocabulary.spins import disturbs_itself
-from workbook.recording.recording import Recording
+from workbook.recording.recording import Recording, TopicRecording
+
+WORDS = Words(__file__)
 
 GOES_ON_PERIODS = 1.5
-"""Another topic goes on if it brings a message so many periods of the silent one, or more, after its last message."""
+"""Another topic goes on if it has a message at least this many of the silent topic's periods after the last message."""
 GOES_ON_INTERVALS = 2.5
-"""It has not stopped while the time since its last message is no longer than so many of its longest intervals."""
+"""A topic hasn't stopped if the time since its last message is at most this many times its longest interval."""
+
+_PROGRAM_ENDED = WORDS.cause("silence.program-ended", ("saw", "expected"), about_time=True)
+_OWN_CLOCK = WORDS.cause("no-message.own-clock", ("saw", "expected", "nodes"))
+_OTHERS_SILENT = WORDS.seen("silence.all-others-silent", ("saw", "expected", "others"))
+_OTHERS_STOPPED = WORDS.seen("silence.others-stopped", ("saw", "expected", "others", "last"))
+_OF_ALL = WORDS.cause("silence.of-all", ("saw", "expected"), about_time=True)
+_OF_ONE = WORDS.cause("silence.of-one", ("saw", "expected", "going_on", "topic"))
 
 
 def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames the end of the program, by its error if there was one; None if it runs on."""
+    """Return a failed verdict that blames the program's end, with its error if any; None if the program runs on."""
     if recording.process.ended_by != "itself":
         return None
     blamed = failed_by_error(recording, f"{saw}; an error had ended the program", expected, about_time=True)
-    return blamed or failed(
-        "silence.program-ended",
-        f"{saw}; the program had ended",
-        expected,
-        "The program ended by itself, so nothing was published after that.",
-        "Keep the node alive with rclpy.spin(node) until Ctrl-C.",
-        about_time=True,
-    )
+    return blamed or _PROGRAM_ENDED.verdict(saw=saw, expected=expected)
 
 
 def ended_or_error(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames the end of the program, or else the last error in its log; None if there is neither.
+    """Return a failed verdict that blames the program's end, or else the last error in its log.
 
-    An end is named before its consequences: use this before any cause that a program without messages suggests.
+    The result is None if there is neither. Because an end should be named before its consequences, call this before
+    checking any other cause of missing messages.
     """
     return program_ended(recording, saw, expected) or failed_by_error(
         recording, saw, expected, about_time=True
@@ -41,65 +44,45 @@ def ended_or_error(recording: Recording, saw: str, expected: str) -> Verdict | N
 
 
 def goes_on(recording: Recording, name: str) -> bool:
-    """Whether a topic brings messages until the end of the watch."""
+    """Return whether a topic has messages until the end of the watch."""
     seen = recording.topic(name)
     times = [arrival.t for arrival in seen.arrivals]
     longest = max((after - before for before, after in pairwise(times)), default=0.0)
-    end = recording.simulated_s if seen.window is None else seen.window[1]
+    end = recording.watched_s if seen.window is None else seen.window[1]
     return len(times) > 1 and end - times[-1] <= GOES_ON_INTERVALS * longest + (recording.step_s or 0.0)
 
 
 def waits_for_clock(recording: Recording, topic: Topic, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict for a silent topic of a node that subscribed to /clock by itself; None for any other."""
+    """Return a failed verdict for a silent topic whose node subscribed to /clock on its own; None for any other."""
     nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
     waiting = [node for node in recording.own_clock if node in nodes]
-    if not waiting:
-        return None
-    return failed(
-        "no-message.own-clock",
-        f"{saw}; {listing(waiting)} subscribes to /clock",
-        expected,
-        "The node has use_sim_time set to true, so its timers wait for messages on /clock. No node publishes "
-        "/clock here, just as when you run the program yourself.",
-        "Remove the line that sets use_sim_time. A simulator sets this parameter where there is one.",
-    )
+    return _OWN_CLOCK.verdict(saw=saw, expected=expected, nodes=waiting) if waiting else None
+
+
+def other_topics(recording: Recording, topic: Topic) -> list[TopicRecording]:
+    """Return the other judged topics, sorted by name."""
+    names = sorted(name for name in recording.topics if name != topic.name and name in recording.wanted)
+    return [recording.topics[name] for name in names]
 
 
 def others_that_go_on(recording: Recording, topic: Topic, since: float) -> list[str]:
-    """The judged topics that bring messages long after `since` (s, simulated), and until the end of the watch."""
-    return [
-        name
-        for name, seen in sorted(recording.topics.items())
-        if name != topic.name
-        and name in recording.wanted
-        and any(arrival.t > since + GOES_ON_PERIODS * topic.period for arrival in seen.arrivals)
-        and goes_on(recording, name)
-    ]
+    """Return the judged topics that have messages long after `since` (s, simulated), until the end of the watch."""
+    late = since + GOES_ON_PERIODS * topic.period
+    others = [one for one in other_topics(recording, topic) if any(it.t > late for it in one.arrivals)]
+    return [one.name for one in others if goes_on(recording, one.name)]
 
 
 def others_within(recording: Recording, topic: Topic, start: float, end: float) -> list[str]:
-    """The other judged topics that bring messages in the middle half of a silence from `start` to `end` (s)."""
+    """Return the other judged topics with messages in the middle half of a silence from `start` to `end` (s)."""
     edge = (end - start) / 4
-    return [
-        name
-        for name, seen in sorted(recording.topics.items())
-        if name != topic.name
-        and name in recording.wanted
-        and any(start + edge < arrival.t < end - edge for arrival in seen.arrivals)
-    ]
-
-
-def _when_others_stopped(recording: Recording, others: list[str], since: float) -> str:
-    last = max((arrival.t for name in others for arrival in recording.topic(name).arrivals), default=since)
-    if last <= since:
-        return f"nothing arrived on {listing(others)} after that, either"
-    return f"the last message on {listing(others)} arrived at {seconds(last)}"
+    others = other_topics(recording, topic)
+    return [one.name for one in others if any(start + edge < it.t < end - edge for it in one.arrivals)]
 
 
 def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict for a topic whose last message came at `since`; None where only this topic is judged.
+    """Return a failed verdict for a topic whose last message arrived at `since`; None if only this topic is judged.
 
-    If others go on meanwhile, and the topic had followed simulated time, no machine is to blame, however busy it was.
+    If other topics continue, and this topic followed simulated time, the cause isn't a busy machine.
     """
     ended = program_ended(recording, saw, expected)
     if ended is not None:
@@ -111,24 +94,12 @@ def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expe
     if not others:
         return None
     going_on = others_that_go_on(recording, topic, since)
-    if not going_on:
-        return failed(
-            "silence.of-all",
-            f"{saw}; {_when_others_stopped(recording, others, since)}",
-            expected,
-            "The program runs, but nothing calls its callbacks any more. One of them never returns (an endless "
-            "loop, a long sleep, a wait), or the spin has ended.",
-            "Let every callback return quickly: no while loop and no sleep in it. The timer calls it again.",
-            about_time=True,
+    if going_on:
+        follows = recording.following.get(topic.name, False)
+        return _OF_ONE.verdict(
+            saw=saw, expected=expected, going_on=going_on, topic=topic, about_time=not follows
         )
-    return failed(
-        "silence.of-one",
-        f"{saw}, while {listing(going_on)} went on",
-        expected,
-        "The program continues, but this topic is no longer published. A counter or a condition skips the "
-        "publish(), or its timer is canceled or was never created. Or another callback never returns, such as one "
-        f"that publishes {listing(going_on)} in a loop of its own.",
-        f"Let create_timer({topic.period}, ...) call a callback that publishes each time, no matter what it "
-        "published last.",
-        about_time=not recording.following.get(topic.name, False),
-    )
+    last = max((arrival.t for name in others for arrival in recording.topic(name).arrivals), default=since)
+    told = _OTHERS_STOPPED if last > since else _OTHERS_SILENT
+    saw, expected = told(saw=saw, expected=expected, others=others, last=last)
+    return _OF_ALL.verdict(saw=saw, expected=expected)

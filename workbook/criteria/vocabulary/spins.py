@@ -1,132 +1,78 @@
-"""Explains silence by the source: spins and waits in callbacks, a spin that never returns, rclpy.init() in a loop."""
+"""Explain a silence from the source: spins and waits in callbacks, spins that never return, rclpy.init() in a loop."""
 
-from workbook.criteria.verdict import Verdict, failed
+from workbook.criteria.rules import Words
+from workbook.criteria.verdict import Verdict
 from workbook.recording.recording import Recording, SpinSeen
 
-ONE_EXECUTOR = (
-    "Create everything first. Then spin once, as the last step: rclpy.spin(node), or one executor to which you have "
-    "added all nodes."
-)
+WORDS = Words(__file__)
+
+_AGAIN = WORDS.cause("spin.initialized-again", ("saw", "expected", "line"), about_time=True)
+_DISTURBING = {
+    how: WORDS.cause(f"spin.{reason}", ("saw", "expected", "spin"), about_time=True)
+    for how, reason in (
+        (("", True), "in-a-callback"),
+        (("rate", True), "rate-in-a-callback"),
+        (("rate", False), "rate-without-a-spin"),
+        (("future", True), "await-in-a-callback"),
+        (("future", False), "await-in-a-callback"),
+    )
+}
+"""Keyed by what the spin waits for, and whether it does so in a callback."""
+_KEEPING = {
+    kept: WORDS.cause(f"spin.{reason}", ("saw", "expected", "spin"), about_time=True)
+    for kept, reason in (
+        ("create", "before-the-rest"),
+        ("spin", "second-never-reached"),
+        ("round", "first-round-only"),
+    )
+}
+"""Keyed by what the spin keeps from running."""
 
 
 def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames a spin in a callback, a rate that never wakes, or ROS initialized again and again.
+    """Return a failed verdict that blames a spin.
 
-    None if the source has none of them, or the program has ended.
+    That is a spin in a callback, a rate that never wakes up, or ROS being initialized again and again.
 
-    The source alone is no verdict: this is only for a program from which something is missing. `saw` says what.
+    The result is None if the source has none of these, or the program has ended.
+
+    Source code alone proves nothing, so call this only if something is missing from the program. `saw` says what.
     """
-    spins = () if recording.process.ended_by == "itself" else recording.spins
-    return initialized_again(recording, saw, expected) or next(
-        (_HOW[one.waits](one, saw, expected) for one in spins if one.callback or one.waits),
-        None,
+    found = (
+        _DISTURBING[spin.waits, bool(spin.callback)].verdict(saw=saw, expected=expected, spin=spin)
+        for spin in _spins(recording)
+        if spin.callback or spin.waits
     )
+    return initialized_again(recording, saw, expected) or next(found, None)
 
 
 def initialized_again(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames an rclpy.init() in a loop; None if there is none, or the program has ended."""
+    """Return a failed verdict that blames an rclpy.init() in a loop.
+
+    The result is None if there is none, or the program has ended.
+    """
     if recording.process.ended_by == "itself" or not recording.repeated_init:
         return None
-    return failed(
-        "spin.initialized-again",
-        f"{saw}; line {recording.repeated_init} initializes ROS again and again, in a loop",
-        expected,
-        "Each iteration creates a new node and shuts it down again. Discovery takes a moment, and by then the node "
-        "is gone, so nothing receives its messages.",
-        "Call rclpy.init() once, create one node, and let its timers publish while rclpy.spin(node) runs.",
-        about_time=True,
-    )
+    return _AGAIN.verdict(saw=saw, expected=expected, line=recording.repeated_init)
 
 
 def held_by_a_spin(
     recording: Recording, saw: str, expected: str, *, of_a_spun_node: bool = False
 ) -> Verdict | None:
-    """The same for something that never was, also where a spin does not return and keeps later lines from running.
+    """Return a failed verdict that blames a spin for a missing object.
 
-    `of_a_spun_node`: other callbacks of its node are called, so it is not a node that nothing spins.
+    The spin doesn't return, so the lines after it never run. The result is None if there is no such spin.
+
+    `of_a_spun_node`: the node's other callbacks run, so an unspun node can't be the cause.
     """
-    spins = () if recording.process.ended_by == "itself" else recording.spins
-    kinds = ("create",) if of_a_spun_node else ("create", "spin", "round")
-    return disturbs_itself(recording, saw, expected) or next(
-        (_keeps(one, saw, expected) for one in spins if one.kept in kinds), None
+    kinds = ("create",) if of_a_spun_node else tuple(_KEEPING)
+    found = (
+        _KEEPING[spin.kept].verdict(saw=saw, expected=expected, spin=spin)
+        for spin in _spins(recording)
+        if spin.kept in kinds
     )
+    return disturbs_itself(recording, saw, expected) or next(found, None)
 
 
-def _in_callback(spin: SpinSeen, saw: str, expected: str) -> Verdict:
-    return failed(
-        "spin.in-a-callback",
-        f"{saw}; line {spin.line} spins in a callback ({spin.callback}): {spin.code}",
-        expected,
-        "An executor is already running this callback. A second spin in it takes the node away from that executor, or "
-        "calls other callbacks in the middle of this one.",
-        f"Remove the spin from line {spin.line}, and let the callback return. The executor then calls the others.",
-        about_time=True,
-    )
-
-
-def _waits_for_rate(spin: SpinSeen, saw: str, expected: str) -> Verdict:
-    if spin.callback:
-        return failed(
-            "spin.rate-in-a-callback",
-            f"{saw}; line {spin.line} waits for a rate in a callback ({spin.callback}): {spin.code}",
-            expected,
-            "A rate wakes up when its timer fires. The executor would have to serve this timer, but it is still "
-            "running this callback. So both wait forever.",
-            f"Remove line {spin.line}, and let create_timer(period, callback) call the callback again.",
-            about_time=True,
-        )
-    return failed(
-        "spin.rate-without-a-spin",
-        f"{saw}; line {spin.line} waits for a rate, and nothing spins in that time: {spin.code}",
-        expected,
-        "A rate wakes up when its timer fires, and timers fire only while a thread spins the node. The only thread is "
-        "asleep in this line.",
-        "Put what the loop does into a callback: create_timer(period, callback). Then call rclpy.spin(node).",
-        about_time=True,
-    )
-
-
-def _waits_for_future(spin: SpinSeen, saw: str, expected: str) -> Verdict:
-    return failed(
-        "spin.await-in-a-callback",
-        f"{saw}; line {spin.line} waits in a callback ({spin.callback}): {spin.code}",
-        expected,
-        "An async callback occupies its callback group until it ends. All callbacks of this node are in one group, so "
-        "none is called meanwhile. If one of them has to end the wait, it never ends.",
-        "Remove the await, and let a timer call what comes later. Or give the callback a callback group of its own.",
-        about_time=True,
-    )
-
-
-_HOW = {"": _in_callback, "rate": _waits_for_rate, "future": _waits_for_future}
-
-
-def _keeps(spin: SpinSeen, saw: str, expected: str) -> Verdict:
-    stays = f"{saw}; line {spin.line} does not return while the program runs: {spin.code}"
-    if spin.kept == "round":
-        return failed(
-            "spin.first-round-only",
-            f"{stays}; so the loop of line {spin.later} never begins its next iteration",
-            expected,
-            "A spin returns only when ROS is shut down. So the loop spins only its first node.",
-            ONE_EXECUTOR,
-            about_time=True,
-        )
-    if spin.kept == "spin":
-        return failed(
-            "spin.second-never-reached",
-            f"{stays}; so line {spin.later} is never reached: {spin.later_code}",
-            expected,
-            "A spin returns only when ROS is shut down. So a spin on a later line never begins, and its node is "
-            "never spun.",
-            ONE_EXECUTOR,
-            about_time=True,
-        )
-    return failed(
-        "spin.before-the-rest",
-        f"{stays}; so line {spin.later} is never reached: {spin.later_code}",
-        expected,
-        "A spin returns only when ROS is shut down. So nothing that a later line should create ever exists.",
-        ONE_EXECUTOR,
-        about_time=True,
-    )
+def _spins(recording: Recording) -> tuple[SpinSeen, ...]:
+    return () if recording.process.ended_by == "itself" else tuple(recording.spins)

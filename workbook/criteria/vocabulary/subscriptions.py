@@ -1,69 +1,48 @@
-"""Judges what a program subscribes to."""
+"""Judge a program's subscriptions."""
 
 import re
 
 from workbook.criteria.criterion import Topic
-from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.rules import Words
+from workbook.criteria.verdict import Verdict, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
-from workbook.criteria.vocabulary.phrasing import listing
 from workbook.criteria.vocabulary.spins import held_by_a_spin
 from workbook.criteria.vocabulary.topics import misspelled
 from workbook.recording.recording import Recording
 
+WORDS = Words(__file__)
+
 OTHER_QOS = re.compile(r"publisher discovered on topic '([^']+)', offering incompatible QoS.*policy: (\w+)")
+_OTHER_QOS = WORDS.cause("listens.other-qos", ("saw", "expected", "name", "policy"))
+_OTHER_TYPE = WORDS.cause("listens.other-type", ("topic", "types"))
+_NOTHING = WORDS.cause("listens.nothing", ("topic",))
+_PRIVATE_NAME = WORDS.cause("listens.private-name", ("topic", "near"))
+_OTHER_NAME = WORDS.cause("listens.other-name", ("topic", "near"))
 
 
 def asks_for_other_qos(recording: Recording, name: str, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict where rclpy logged incompatible QoS for a subscription to topic `name`; None otherwise."""
+    """Return a failed verdict if rclpy logged incompatible QoS for a subscription to topic `name`, otherwise None."""
     policy = next((said for topic, said in OTHER_QOS.findall(recording.process.log) if topic == name), None)
     if policy is None:
         return None
-    return failed(
-        "listens.other-qos",
-        f"{saw}; rclpy logged incompatible QoS for {name}: {policy}",
-        expected,
-        f"The subscription requests QoS that the publisher doesn't offer, so no message on {name} arrives.",
-        "Give create_subscription() a plain queue depth, such as 10, instead of a QoSProfile.",
-    )
-
-
-def _under_other_name(recording: Recording, near: str, wanted: str, expected: str) -> Verdict:
-    saw, write = f"your node subscribes to {near}, not to {wanted}", f"Write the name as {wanted!r}."
-    if any(near.startswith(f"{subscriber.node}/") for subscriber in recording.topic(near).subscribers):
-        because = "A name that begins with ~ is private: the node's own name is put in front."
-        return failed("listens.private-name", saw, expected, because, write)
-    because = "The two names differ. ROS compares names letter by letter."
-    return failed("listens.other-name", saw, expected, because, write)
+    return _OTHER_QOS.verdict(saw=saw, expected=expected, name=name, policy=policy)
 
 
 def listens(recording: Recording, topic: Topic) -> Verdict:
-    """The program subscribes to `topic` with the right type."""
+    """Check that the program subscribes to `topic` with the right type."""
     seen = recording.topic(topic.name)
-    expected = f"a subscription to {topic.name} of type {topic.short_type}"
     types = sorted({subscriber.type for subscriber in seen.subscribers})
     if topic.type in types:
         return passed(f"subscribes to {topic.name}")
     if types:
-        got = listing([name.rsplit("/", 1)[1] for name in types])
-        return failed(
-            "listens.other-type",
-            f"a subscription to {topic.name} for {got}",
-            expected,
-            "The subscription was created with another message type.",
-            f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_subscription().",
-        )
-    blamed = failed_by_error(recording, f"nothing subscribes to {topic.name}", expected)
+        return _OTHER_TYPE.verdict(topic=topic, types=[name.rsplit("/", 1)[1] for name in types])
+    nothing = _NOTHING.verdict(topic=topic)
+    blamed = failed_by_error(recording, nothing.saw, nothing.expected)
     if blamed is not None:
         return blamed
-    near = misspelled(
-        recording, topic.name, [name for name, other in recording.topics.items() if other.subscribers]
-    )
-    if near is not None:
-        return _under_other_name(recording, near, topic.name, expected)
-    return held_by_a_spin(recording, f"nothing subscribes to {topic.name}", expected) or failed(
-        "listens.nothing",
-        f"nothing subscribes to {topic.name}",
-        expected,
-        "No create_subscription() call was reached.",
-        f"Call create_subscription({topic.short_type}, {topic.name!r}, self.on_message, 10) in __init__.",
-    )
+    listened_to = [name for name, other in recording.topics.items() if other.subscribers]
+    near = misspelled(recording, topic.name, listened_to)
+    if near is None:
+        return held_by_a_spin(recording, nothing.saw, nothing.expected) or nothing
+    is_private = any(near.startswith(f"{one.node}/") for one in recording.topic(near).subscribers)
+    return (_PRIVATE_NAME if is_private else _OTHER_NAME).verdict(topic=topic, near=near)

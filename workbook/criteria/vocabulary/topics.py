@@ -1,221 +1,243 @@
-"""Judges a topic: whether it is published, under this name and type, and whether messages arrive."""
+"""Judge a topic: whether it's published under this name and with this type, and whether messages arrive."""
 
 import difflib
 from collections.abc import Callable, Iterable
-from functools import wraps
+from dataclasses import dataclass
+from functools import cached_property, wraps
 from typing import Concatenate, ParamSpec
 
 from workbook.criteria.criterion import CriterionFunction, Topic
-from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.rules import Words, otherwise
+from workbook.criteria.verdict import Verdict, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
-from workbook.criteria.vocabulary.phrasing import count, listing, seconds
-from workbook.criteria.vocabulary.silences import goes_on, program_ended, waits_for_clock
+from workbook.criteria.vocabulary.phrasing import count, seconds
+from workbook.criteria.vocabulary.silences import goes_on, other_topics, program_ended, waits_for_clock
 from workbook.criteria.vocabulary.spins import held_by_a_spin
 from workbook.recording.recording import Recording, TopicRecording
 
+WORDS = Words(__file__)
+
 OF_THE_DRIVER = "/driver/"
-"""Topics of the program that calls a student's functions. They are not the student's."""
+"""The prefix of topics published by the program that calls a student's functions. They aren't the student's topics."""
 
 ALIKE = 0.6
-"""From this share of common letters on, another name counts as a slip of the pen."""
+"""With at least this share of common letters, another name counts as a typo."""
 
 P = ParamSpec("P")
 
 
-def publishes(recording: Recording, topic: Topic) -> Verdict:
-    """Something publishes `topic` with the right type, and nothing publishes it with another."""
-    seen = recording.topic(topic.name)
-    expected = f"a publisher on {topic.name} of type {topic.short_type}"
-    if topic.type in seen.types:
-        others = [name for name in seen.types if name != topic.type]
-        if others:
-            return failed(
-                "publishes.two-types",
-                f"{topic.name} has publishers of two types: {topic.short_type} and {listing(others)}",
-                expected,
-                "Two create_publisher() calls use the same topic name with different message types.",
-                f"Keep only the publisher of type {topic.short_type}.",
-            )
-        return passed(f"{topic.name} carries {topic.short_type}")
-    if seen.publishers:
-        got = listing([name.rsplit("/", 1)[1] for name in seen.types])
-        return failed(
-            "publishes.other-type",
-            f"{topic.name} carries {got}",
-            expected,
-            f"The publisher was created with a message type other than {topic.short_type}.",
-            f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_publisher().",
+@dataclass(frozen=True)
+class _OnTopic:
+    """The recording of a topic."""
+
+    recording: Recording
+    topic: Topic
+
+    @cached_property
+    def seen(self) -> TopicRecording:
+        return self.recording.topic(self.topic.name)
+
+
+class _Publishing(_OnTopic):
+    """A program's publishers on a topic and on others."""
+
+    @property
+    def others(self) -> list[str]:
+        """The other types on the topic."""
+        return [name for name in self.seen.types if name != self.topic.type]
+
+    @property
+    def types(self) -> list[str]:
+        return [name.rsplit("/", 1)[1] for name in self.seen.types]
+
+    @cached_property
+    def own(self) -> list[TopicRecording]:
+        """The topics that the program itself publishes."""
+        topics = self.recording.with_publishers()
+        return [other for other in topics if not other.name.startswith(OF_THE_DRIVER)]
+
+    @property
+    def names(self) -> list[str] | str:
+        return [other.name for other in self.own] or "nothing"
+
+    @cached_property
+    def meant(self) -> str:
+        """The program's unexpected topic whose name was probably meant to be this topic's name; "" if there is none."""
+        strange = [other for other in self.own if other.name not in self.recording.wanted]
+        others = [other.name for other in strange]
+        wanted = self.topic.name
+        base = wanted.rsplit("/", 1)[-1]
+        of_type = [one.name for one in strange if self.topic.type in one.types and one.name != wanted]
+        is_alike = len(of_type) == 1 and similar_share(of_type[0], wanted) > 0.5
+        near = difflib.get_close_matches(wanted, others, 1, 0.75) or (of_type if is_alike else [""])
+        return next((name for name in others if name.rsplit("/", 1)[-1] == base), near[0])
+
+    @property
+    def is_private(self) -> bool:
+        owners = {publisher.node for publisher in self.recording.topic(self.meant).publishers}
+        return any(
+            self.topic.name.endswith(self.meant.removeprefix(owner))
+            for owner in owners
+            if self.meant.startswith(f"{owner}/")
         )
-    return _not_published(recording, topic, expected)
+
+    @property
+    def missing_namespace(self) -> str:
+        return self.topic.name[: -len(self.meant)]
+
+    @property
+    def other_namespace(self) -> str:
+        return self.meant[: -len(self.topic.name)]
 
 
-def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
-    own = [other for other in recording.with_publishers() if not other.name.startswith(OF_THE_DRIVER)]
-    meant = _meant_to_be(topic, [other for other in own if other.name not in recording.wanted])
-    if meant is not None:
-        return _under_other_name(recording, meant, topic.name, expected)
-    blamed = failed_by_error(recording, f"nothing on {topic.name}", expected)
-    if blamed is not None:
-        return blamed
-    names = [other.name for other in own]
-    held = held_by_a_spin(recording, f"nothing on {topic.name}", expected)
-    return held or failed(
-        "publishes.nothing",
-        f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
-        expected,
-        "The publisher isn't created, or its topic has a very different name.",
-        f"Call create_publisher({topic.short_type}, {topic.name!r}, 10) in __init__.",
-    )
+_TYPES = WORDS.rules(
+    _Publishing,
+    "publishes",
+    ("two-types", lambda one: one.topic.type in one.seen.types and one.others),
+    ("other-type", lambda one: one.topic.type not in one.seen.types and one.seen.publishers),
+)
+_NAMES = WORDS.rules(
+    _Publishing,
+    "publishes",
+    ("other-case", lambda one: one.meant.lower() == one.topic.name.lower()),
+    ("private-name", lambda one: one.is_private),
+    ("no-namespace", lambda one: one.topic.name.endswith(one.meant)),
+    ("other-namespace", lambda one: one.meant.endswith(one.topic.name)),
+    ("other-name", otherwise),
+)
+_BY_ERROR = WORDS.seen("publishes.by-error", _Publishing)
+_NOTHING = WORDS.cause("publishes.nothing", _Publishing)
 
 
-def _meant_to_be(topic: Topic, strange: list[TopicRecording]) -> str | None:
-    """The name, of topics that no right program has, that was probably meant to be this topic's."""
-    others = [other.name for other in strange]
-    near = difflib.get_close_matches(topic.name, others, 1, 0.75)
-    base = topic.name.rsplit("/", 1)[-1]
-    suspect = next((name for name in others if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
-    same_type = [other for other in strange if topic.type in other.types and other.name != topic.name]
-    if suspect is None and len(same_type) == 1 and similar_share(same_type[0].name, topic.name) > 0.5:
-        return same_type[0].name
-    return suspect
+class _Arriving(_OnTopic):
+    """The messages that arrive on a topic, and on its node's other topics."""
+
+    @property
+    def right(self) -> int:
+        return len(self.seen.arrivals)
+
+    @property
+    def since(self) -> str:
+        """When the first unreadable message arrived, as the end of a sentence."""
+        return "" if self.seen.broken_at is None else f", the first at {seconds(self.seen.broken_at)}"
+
+    @property
+    def lasted(self) -> float:
+        """How long the topic was watched (s)."""
+        start, end = window_of(self.recording, self.seen)
+        return end - start
+
+    @property
+    def lasted_until_full(self) -> float:
+        """How long the topic was watched before more messages arrived than are kept (s)."""
+        start, _ = window_of(self.recording, self.seen)
+        return max(0.0, (self.seen.full_at or 0.0) - start)
+
+    @property
+    def room(self) -> str:
+        return count(self.right, "message") if self.seen.room is None else f"{self.seen.room / 1e6:g} MB"
+
+    @cached_property
+    def others(self) -> list[str]:
+        """The exercise's other topics that the same node publishes, if they have more than one message."""
+        nodes = {publisher.node for publisher in self.seen.publishers}
+        talking = [one for one in other_topics(self.recording, self.topic) if len(one.arrivals) > 1]
+        return [one.name for one in talking if nodes & {publisher.node for publisher in one.publishers}]
+
+    @cached_property
+    def going_on(self) -> list[str]:
+        """The other topics that have messages until the end."""
+        return [name for name in self.others if goes_on(self.recording, name)]
+
+    @property
+    def last_of_others(self) -> float:
+        return max(self.recording.topic(name).arrivals[-1].t for name in self.others)
+
+    @property
+    def timer(self) -> str:
+        if not self.topic.hz:
+            return "Call"
+        return f"Let create_timer({self.topic.period}, ...), which takes seconds, call"
+
+
+_UNREADABLE = WORDS.rules(
+    _Arriving,
+    "no-message",
+    ("undecodable", lambda one: one.seen.undecodable),
+    ("too-large", lambda one: one.seen.not_kept and one.seen.full_at is None),
+)
+_NO_MESSAGE = WORDS.seen("no-message.by-error", _Arriving)
+_PUBLISHER_THERE = WORDS.seen("no-message.publisher-there", _Arriving)
+_SILENT = WORDS.rules(
+    _Arriving,
+    "no-message",
+    ("silent", lambda one: not one.others),
+    ("silent-beside-others", lambda one: one.going_on),
+    ("all-stopped", otherwise),
+    about_time=True,
+)
+_SOME_ARE_BROKEN = WORDS.rules(
+    _Arriving,
+    "all-kept",
+    ("undecodable", lambda one: one.seen.undecodable),
+    ("too-large", lambda one: one.seen.too_large),
+)
+_TOO_MUCH = WORDS.rules(_Arriving, "all-kept", ("too-much", lambda one: one.seen.full_at is not None))
+
+
+def publishes(recording: Recording, topic: Topic) -> Verdict:
+    """Check that the program publishes `topic` with the right type, and with no other type."""
+    one = _Publishing(recording, topic)
+    of_type = _TYPES.first(one)
+    if of_type is not None:
+        return of_type
+    if topic.type in one.seen.types:
+        return passed(f"{topic.name} carries {topic.short_type}")
+    if one.meant:
+        return _NAMES.verdict(one)
+    told = _BY_ERROR(one)
+    early = failed_by_error(recording, *told) or held_by_a_spin(recording, *told)
+    return early or _NOTHING.verdict(one)
 
 
 def similar_share(one: str, other: str) -> float:
-    """How alike two names are, 0 to 1."""
+    """Return how similar two names are, from 0 to 1."""
     return difflib.SequenceMatcher(None, one, other).ratio()
 
 
 def misspelled(recording: Recording, wanted: str, names: Iterable[str]) -> str | None:
-    """The name that was probably meant to be `wanted`; None if none is alike enough."""
+    """Return the name that was probably meant to be `wanted`; None if none is similar enough."""
     strange = sorted(set(names).difference(recording.wanted))
     near = max(strange, key=lambda name: similar_share(name, wanted), default=None)
     return near if near is not None and similar_share(near, wanted) > ALIKE else None
 
 
-def _under_other_name(recording: Recording, seen: str, wanted: str, expected: str) -> Verdict:
-    def fail(cause: str, because: str) -> Verdict:
-        saw = f"your node publishes {seen}, but nothing on {wanted}"
-        return failed(cause, saw, expected, because, f"Write the name as {wanted!r}.")
-
-    if seen.lower() == wanted.lower():
-        return fail(
-            "publishes.other-case",
-            "Topic names are case-sensitive: a capital letter makes a different name.",
-        )
-    owners = {publisher.node for publisher in recording.topic(seen).publishers}
-    if any(wanted.endswith(seen.removeprefix(owner)) for owner in owners if seen.startswith(f"{owner}/")):
-        return fail(
-            "publishes.private-name",
-            "A name that begins with ~ is private: ROS puts the node's own name in front.",
-        )
-    if wanted.endswith(seen):
-        return fail("publishes.no-namespace", f"The namespace {wanted[: -len(seen)]} is missing.")
-    if seen.endswith(wanted):
-        return fail(
-            "publishes.other-namespace",
-            f"The node runs in the namespace {seen[: -len(wanted)]}, which ROS puts in front of a relative name.",
-        )
-    return fail("publishes.other-name", "The two names differ. ROS compares names letter by letter.")
-
-
 def no_message(recording: Recording, topic: Topic) -> Verdict | None:
-    """A failed verdict when nothing arrived on `topic`, otherwise None."""
-    seen = recording.topic(topic.name)
-    if seen.arrivals:
+    """Return a failed verdict if no message arrived on `topic`, otherwise None."""
+    one = _Arriving(recording, topic)
+    if one.seen.arrivals:
         return None
-    if seen.undecodable:
-        return failed(
-            "no-message.undecodable",
-            f"{count(seen.undecodable, 'message')} on {topic.name} could not be decoded",
-            f"readable {topic.short_type} messages",
-            "The bytes that were sent are not a message of this type.",
-            "Publish message objects, not raw bytes.",
-        )
-    if seen.not_kept and seen.full_at is None:
-        return failed(
-            "no-message.too-large",
-            f"{count(seen.not_kept, 'message')} on {topic.name}, larger than 4 MB",
-            f"readable {topic.short_type} messages",
-            "The message contains a list that grows with every message, or far too many values.",
-            "Print the length of the data that you publish, and create a new list for every message.",
-        )
-    return _more_than_is_kept(recording, topic) or _silent(recording, topic)
-
-
-def _silent(recording: Recording, topic: Topic) -> Verdict:
-    start, end = window_of(recording, recording.topic(topic.name))
-    lasted = seconds(end - start)
-    nothing, expected = f"no message on {topic.name} in {lasted}", f"messages on {topic.name}"
-    ended = failed_by_error(recording, nothing, expected, about_time=True) or program_ended(
-        recording, nothing, expected
+    told = _NO_MESSAGE(one)
+    early = (
+        _UNREADABLE.first(one)
+        or _TOO_MUCH.first(one)
+        or failed_by_error(recording, *told, about_time=True)
+        or program_ended(recording, *told)
     )
-    if ended is not None:
-        return ended
-    saw = f"the publisher on {topic.name} is there, but no message arrived in {lasted}"
-    waiting = waits_for_clock(recording, topic, saw, expected)
-    if waiting is not None:
-        return waiting
-    others = _arrive_from_its_node(recording, topic)
-    held = held_by_a_spin(recording, saw, expected, of_a_spun_node=bool(others))
-    if held is not None:
-        return held
-    if others:
-        return _silent_beside(recording, topic, others, saw)
-    return failed(
-        "no-message.silent",
-        saw,
-        expected,
-        "No timer calls the function that publishes, or nothing spins the node. Or the node published only once, "
-        "before a subscription was connected.",
-        "Create a timer in __init__, publish in its callback, and keep the node running with rclpy.spin(node).",
-        about_time=True,
-    )
-
-
-def _arrive_from_its_node(recording: Recording, topic: Topic) -> list[str]:
-    """The other topics of the exercise that the node of this one publishes, and that bring messages."""
-    nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
-    return [
-        name
-        for name, seen in sorted(recording.topics.items())
-        if name != topic.name
-        and name in recording.wanted
-        and len(seen.arrivals) > 1
-        and nodes & {publisher.node for publisher in seen.publishers}
-    ]
-
-
-def _silent_beside(recording: Recording, topic: Topic, others: list[str], saw: str) -> Verdict:
-    """The verdict on a silent topic of a node whose `others` arrive, to the end or until it stopped."""
-    going_on = [name for name in others if goes_on(recording, name)]
-    if not going_on:
-        last = max(recording.topic(name).arrivals[-1].t for name in others)
-        return failed(
-            "no-message.all-stopped",
-            f"{saw}; the last message on {listing(others)} arrived at {seconds(last)}",
-            f"messages on {topic.name}",
-            "The node published something and then stopped, before this topic had its turn. One of its callbacks "
-            "never returns, or nothing spins the node any more.",
-            "Find out why everything stops. Look at the last callback that was called: what does it wait for?",
-            about_time=True,
-        )
-    timer = f"Let create_timer({topic.period}, ...), which takes seconds, call" if topic.hz else "Call"
-    return failed(
-        "no-message.silent-beside-others",
-        f"{saw}, while {listing(going_on)} went on",
-        f"messages on {topic.name}",
-        "The node works, but nothing is published here. Nothing calls the function that publishes, it uses the "
-        "publisher of another topic, or its timer's period is far too long. Or it published only once, before a "
-        "subscription was connected.",
-        f"{timer} a function that publishes with the publisher of {topic.name}.",
-        about_time=True,
+    if early is not None:
+        return early
+    told = _PUBLISHER_THERE(one)
+    return (
+        waits_for_clock(recording, topic, *told)
+        or held_by_a_spin(recording, *told, of_a_spun_node=bool(one.others))
+        or _SILENT.verdict(one)
     )
 
 
 def if_messages(
     word: Callable[Concatenate[Recording, Topic, P], Verdict],
 ) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
-    """Decorates a function that judges a topic's messages: where none arrived, the verdict is that of `no_message`."""
+    """Decorate a function that judges a topic's messages: if none arrived, the verdict is `no_message`."""
 
     @wraps(word)
     def judge(recording: Recording, topic: Topic, /, *args: P.args, **kwargs: P.kwargs) -> Verdict:
@@ -227,68 +249,25 @@ def if_messages(
 def if_all_kept(
     word: Callable[Concatenate[Recording, Topic, P], Verdict],
 ) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
-    """Decorates a function that judges each message of a topic, of which some must have arrived.
+    """Decorate a function that judges every message of a topic. It fails if none arrived.
 
-    Messages that nobody can read count as well: beside right ones they are a failure. So is it where more came than is
-    kept, unless what is kept fails by itself.
+    It also fails if some messages are undecodable, even next to valid ones. If more messages arrived than are kept, it
+    fails as well, unless a kept message already fails.
     """
 
     @wraps(word)
     def judge(recording: Recording, topic: Topic, /, *args: P.args, **kwargs: P.kwargs) -> Verdict:
-        broken = no_message(recording, topic) or _some_are_broken(recording, topic)
+        broken = no_message(recording, topic) or _SOME_ARE_BROKEN.first(_Arriving(recording, topic))
         if broken is not None:
             return broken
         verdict = word(recording, topic, *args, **kwargs)
-        return (_more_than_is_kept(recording, topic) if verdict.ok else None) or verdict
+        return (_TOO_MUCH.first(_Arriving(recording, topic)) if verdict.ok else None) or verdict
 
     return judge
 
 
-def _some_are_broken(recording: Recording, topic: Topic) -> Verdict | None:
-    seen = recording.topic(topic.name)
-    since = "" if seen.broken_at is None else f", the first at {seconds(seen.broken_at)}"
-    right = count(len(seen.arrivals), "readable message")
-    expected = f"{topic.short_type} messages that can be read, and no others"
-    if seen.undecodable:
-        return failed(
-            "all-kept.undecodable",
-            f"{right} on {topic.name}, but also {seen.undecodable} that could not be decoded{since}",
-            expected,
-            "The bytes on the wire are not a message of this type.",
-            "Publish message objects only, not raw bytes.",
-        )
-    if seen.too_large:
-        return failed(
-            "all-kept.too-large",
-            f"{right} on {topic.name}, but also {seen.too_large} larger than 4 MB{since}",
-            expected,
-            "The message contains a list that grows with every message, or far too many values.",
-            "Print the length of the data that you publish, and create a new list for every message.",
-        )
-    return None
-
-
-def _more_than_is_kept(recording: Recording, topic: Topic) -> Verdict | None:
-    seen = recording.topic(topic.name)
-    if seen.full_at is None:
-        return None
-    start, _ = window_of(recording, seen)
-    lasted = seconds(max(0.0, seen.full_at - start))
-    kept = count(len(seen.arrivals), "message")
-    room = kept if seen.room is None else f"{seen.room / 1e6:g} MB"
-    return failed(
-        "all-kept.too-much",
-        f"the messages on {topic.name} exceeded the judge's limit for a topic ({room}) after {lasted} and {kept}; "
-        "the judge ignored the rest",
-        f"at most {room} on {topic.name}",
-        "The messages are far larger than the task asks for, or there are far more of them: a list grows, or a "
-        "loop publishes.",
-        "Print the length of the data that you publish, and how often you publish it.",
-    )
-
-
 def needs_messages(topic: Topic) -> Callable[[CriterionFunction], CriterionFunction]:
-    """Decorates a judging function: where no message arrived on `topic`, the verdict is that of `no_message`."""
+    """Decorate a judging function: if no message arrived on `topic`, the verdict is `no_message`."""
 
     def guard(function: CriterionFunction) -> CriterionFunction:
         @wraps(function)
@@ -301,6 +280,6 @@ def needs_messages(topic: Topic) -> Callable[[CriterionFunction], CriterionFunct
 
 
 def window_of(recording: Recording, seen: TopicRecording) -> tuple[float, float]:
-    """Begin and end (s of simulated time) of the watch over a topic."""
-    start, end = seen.window if seen.window is not None else (0.0, recording.simulated_s)
+    """Return the start and end (s of simulated time) of a topic's watch."""
+    start, end = seen.window if seen.window is not None else (0.0, recording.watched_s)
     return start, max(start, end)

@@ -1,4 +1,4 @@
-"""Takes the tracebacks in a program's log apart: chained ones, those of several threads, exception groups."""
+"""Split the tracebacks in a program's log: chained exceptions, tracebacks from several threads, exception groups."""
 
 import re
 from collections.abc import Iterator
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 TRACEBACK = "Traceback (most recent call last)"
 FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)(?:, in (?P<function>\S+))?')
 MAIN, THREAD, IGNORED = range(3)
-"""Where an exception came out: of the main program, of a thread, or where Python ignores it (finalizers, atexit)."""
+"""Where an exception surfaced: in the main program, in a thread, or where Python ignores it (finalizers, atexit)."""
 _START = re.compile(r"^(?:Exception Group )?" + re.escape(TRACEBACK) + ":$")
 _THREAD = re.compile(r"^Exception in thread (?P<name>.*):$")
 _IGNORED = re.compile(r"^(?:Exception ignored (?:in|from|while)\b|Task exception was never|Error in atexit)")
@@ -25,17 +25,17 @@ _LEFT_OUT = re.compile(r"^… \d+ bytes left out …$")
 _NO_NOTE = re.compile(
     r"^(?:Still running: |The following exception was never retrieved|\[(?:DEBUG|INFO|WARN|ERROR|FATAL)\] )"
 )
-"""Lines after a traceback that are not part of its message: of the host, of rclpy's tasks, and of loggers."""
+"""Lines after a traceback that aren't part of its message: from the host, rclpy's tasks, or loggers."""
 _CAUGHT_ON_PURPOSE = re.compile(
     r"(?:KeyboardInterrupt|ExternalShutdownException|SystemExit|GeneratorExit|StopIteration|StopAsyncIteration|"
     r"CancelledError|\bEmpty|\bFull)$"
 )
-"""An `except` around a spin, a generator or a queue waits for these. An error in there is the fault."""
+"""Code around a spin, a generator, or a queue catches these on purpose. An error while handling one is the fault."""
 
 
 @dataclass
 class Raised:
-    """One traceback: its frames and source lines, its error line, and the lines of the message after that."""
+    """One traceback: its frames and source lines, its error line, and the rest of the message."""
 
     origin: int = MAIN
     thread: str = ""
@@ -45,31 +45,34 @@ class Raised:
 
     @property
     def name(self) -> str:
-        """The exception's class, as the error line spells it."""
+        """The exception's class name, as written in the error line."""
         found = _ERROR.match(self.error)
         return found["name"] if found else ""
 
     @property
     def text(self) -> str:
-        """All of it, as it was printed."""
+        """The whole traceback, as it was printed."""
         return "\n".join([f"{TRACEBACK}:", *self.lines, self.error, *self.notes])
 
     @property
     def told(self) -> str:
-        """What the error table looks at: two lines before the error, the error, and the rest of its message."""
+        """The part that the error table matches: two lines before the error, the error, and the rest of its message."""
         return "\n".join([*self.lines[-2:], self.error, *self.notes])
 
     def frames(self) -> Iterator[re.Match[str]]:
-        """The frames, the outermost first."""
+        """Return the frames, outermost first."""
         return (frame for line in self.lines if (frame := FRAME.match(line)))
 
     def line_in(self, program: str) -> int | None:
-        """The last line of the student's file in it; of any file when the name is not known."""
+        """Return the last line number in the student's file, or in any file if the program's name is unknown.
+
+        The result is None if there is no such frame.
+        """
         found = [int(one["line"]) for one in self.frames() if is_of(one, program)]
         return found[-1] if found else None
 
     def fits(self, frame: re.Match[str]) -> bool:
-        """Whether a frame may come next here. For lines of several threads that are mixed."""
+        """Return whether this frame may come next here. This separates the interleaved lines of several threads."""
         last = [one["function"] for one in self.frames()]
         if frame["function"] in _THREADS_OWN[1:2]:
             return not last or last[-1] == "_bootstrap"
@@ -80,18 +83,18 @@ class Raised:
         return last[-1] == "run" and f"({frame['function']})" in self.thread
 
     def speaks_of(self, error: str) -> bool:
-        """Whether the last source line has a word in it that the error quotes."""
+        """Return whether the last source line contains a word that the error quotes."""
         source = next((one for one in reversed(self.lines) if not FRAME.match(one) and one.strip(" ^~")), "")
         return any(word in source for word in _QUOTED.findall(error))
 
 
 def is_of(frame: re.Match[str], program: str) -> bool:
-    """Whether a frame belongs to the program of this name; any frame does when the name is empty."""
+    """Return whether a frame belongs to the program with this name. With an empty name, every frame does."""
     return not program or frame["file"].rsplit("/", 1)[-1] == program
 
 
 class _Reader:
-    """Reads a log line by line. `chains` holds what belongs together, the first exception first."""
+    """Reads a log line by line. `chains` contains lists of related exceptions, the first exception first."""
 
     def __init__(self) -> None:
         self.chains: list[list[Raised]] = []
@@ -139,7 +142,7 @@ class _Reader:
         if not self._open:
             closed = self._closed
             if closed is not None and not _EXCEPTIONAL.search(closed.name):
-                closed.lines.append(closed.error)  # it was a word that the program printed in between
+                closed.lines.append(closed.error)  # a word that the program printed in between
                 closed.error, closed.notes = "", []
                 self._drop(closed)
                 self._open.append(closed)
@@ -172,7 +175,7 @@ class _Reader:
         self._chained = False
 
     def _of_a_group(self, done: Raised) -> None:
-        """The first part of a group stands for the group; the others come after it."""
+        """Let the first part of a group stand for the group; the other parts follow it."""
         chain = self.chains[-1]
         done.origin = chain[0].origin
         if self._part == 1 and chain[-1].name.endswith("ExceptionGroup"):
@@ -182,7 +185,7 @@ class _Reader:
 
 
 def chains_in(log: str) -> list[list[Raised]]:
-    """The exceptions that a log tells of, those that followed from each other together, the first one first."""
+    """Return the exceptions in a log, grouped into chains that followed from each other, the first one first."""
     reader = _Reader()
     for line in log.splitlines():
         reader.read(line)
@@ -190,18 +193,19 @@ def chains_in(log: str) -> list[list[Raised]]:
 
 
 def first_cause(chain: list[Raised], program: str) -> Raised:
-    """The exception that the others of a chain followed from.
+    """Return the exception from which the others in a chain followed.
 
-    One that was caught inside a library has no frame of the program, and one that an `except` waits for is no fault.
+    An exception without a frame in the program was caught inside a library, so it doesn't count. Neither does one that
+    an `except` waits for.
     """
     own = [one for one in chain if one.line_in(program) is not None] or chain[-1:]
     return next((one for one in own if not _CAUGHT_ON_PURPOSE.search(one.name)), own[-1])
 
 
 def main_one(chains: list[list[Raised]], program: str) -> Raised | None:
-    """The exception to blame: the last one of the main program, or else the first one in a thread, by its line.
+    """Return the exception to blame: the main program's last one, or else the one with the lowest line in a thread.
 
-    The order in which threads print is chance, so it decides nothing.
+    The order in which threads print is a matter of chance, so it doesn't count. The result is None without exceptions.
     """
     causes = [first_cause(chain, program) for chain in chains]
     of_main = [one for one in causes if one.origin == MAIN]

@@ -1,4 +1,4 @@
-"""The values that arrive on a topic, taken out of its messages."""
+"""Extract the values from a topic's messages."""
 
 import functools
 from collections.abc import Callable
@@ -13,9 +13,9 @@ Found = TypeVar("Found")
 
 
 def once(look: Callable[[Recording], Found]) -> Callable[[Recording], Found]:
-    """Make a function look at a recording only once, however many criteria ask for what it finds.
+    """Make a function inspect a recording only once, even if several criteria need its result.
 
-    What it returns must not be changed: it is the same object each time.
+    Don't modify the returned object: every call returns the same one.
     """
     latest: tuple[Recording, Found] | None = None
 
@@ -31,7 +31,7 @@ def once(look: Callable[[Recording], Found]) -> Callable[[Recording], Found]:
 
 
 def values(recording: Recording, topic: Topic, field: str = "data") -> list[Any]:
-    """The values of one field of all messages that arrived, in order."""
+    """Return the values of one field from all messages that arrived, in order."""
     return [
         arrival.value.get(field)
         for arrival in recording.topic(topic.name).arrivals
@@ -40,9 +40,10 @@ def values(recording: Recording, topic: Topic, field: str = "data") -> list[Any]
 
 
 def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> Recording:
-    """The recording with only those messages of `topic` whose data `keep` accepts, watched from the first of them on.
+    """Return the recording with only those messages of `topic` whose data `keep` accepts.
 
-    For a topic on which several talk, of whom one may be connected later than another.
+    The topic's watch then begins with the first of them.
+    This is for a topic with several publishers, some of which may connect later than others.
     """
     seen = recording.topic(topic.name)
     kept = tuple(
@@ -50,21 +51,21 @@ def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> 
         for arrival in seen.arrivals
         if isinstance(arrival.value, dict) and keep(arrival.value.get("data"))
     )
-    end = recording.simulated_s if seen.window is None else seen.window[1]
+    end = recording.watched_s if seen.window is None else seen.window[1]
     window = (kept[0].t, end) if kept else seen.window
     part = replace(seen, arrivals=kept, window=window)
     return replace(recording, topics={**recording.topics, topic.name: part})
 
 
 def elements(value: Any) -> list[Any]:
-    """The elements of an array, or the value itself as the only one. Of a very long array, the first ones."""
+    """Return an array's elements, or a single value as a list. Of a very long array, only the first are available."""
     if isinstance(value, dict) and "first" in value:
         return list(value["first"])
     return value if isinstance(value, list) else [value]
 
 
 def length_of(value: Any) -> int:
-    """How many elements an array has, also one that was too long to be kept."""
+    """Return the length of an array, even of one that was too long to be kept."""
     if isinstance(value, dict) and "length" in value:
         return int(value["length"])
     return len(elements(value))
@@ -72,7 +73,7 @@ def length_of(value: Any) -> int:
 
 @dataclass(frozen=True)
 class Offender:
-    """The first value that breaks a rule: message number, place in the array (None for a scalar), messages affected."""
+    """The first value that breaks a rule: message number, index in the array (None for a scalar), messages affected."""
 
     message: int
     place: int | None
@@ -85,7 +86,7 @@ class Offender:
 
 
 def first_offender(recording: Recording, topic: Topic, breaks: Callable[[Any], bool]) -> Offender | None:
-    """The first value or element that breaks a rule; None if all keep it."""
+    """Return the first value or element that breaks a rule; None if none does."""
     first: tuple[int, int | None, Any] | None = None
     affected = 0
     for number, value in enumerate(values(recording, topic), start=1):

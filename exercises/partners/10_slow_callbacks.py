@@ -1,0 +1,45 @@
+"""A guest who hands things to the robot: every four seconds, exercise 10's program is asked for a plan."""
+
+import itertools
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+PERIOD_S = 4.0
+DISTANCES_M = (0.7, 0.25, 0.55)
+
+
+class Guest(Node):
+    """Asks for one plan after the other, and pauses while another node asks.
+
+    Topics:
+        /robot/plan_request (std_msgs/Float32): distance from the shoulder to the hand, in m.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("hungry_guest")
+        self.distances = itertools.cycle(DISTANCES_M)
+        self.publisher = self.create_publisher(Float32, "/robot/plan_request", 10)
+        self.create_timer(PERIOD_S, self.ask)
+
+    def ask(self) -> None:
+        """Ask for a plan, unless another node does."""
+        if self.count_publishers("/robot/plan_request") == 1:
+            self.publisher.publish(Float32(data=next(self.distances)))
+
+
+def main(args: list[str] | None = None) -> None:
+    """Ask until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(Guest())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

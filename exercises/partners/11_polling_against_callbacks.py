@@ -1,0 +1,49 @@
+"""The skin of the hand in exercise 11: it numbers each touch, and publishes several in one moment now and then."""
+
+import random
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Int32
+
+PERIOD_S = 0.8
+TOUCHES = (0, 1, 1, 1, 3)  # in one moment
+
+
+class Skin(Node):
+    """Publishes touches, and pauses while another node publishes in its place.
+
+    Topics:
+        /robot/touch (std_msgs/Int32): the number of the touch.
+    """
+
+    def __init__(self, seed: int = 11) -> None:
+        super().__init__("skin")
+        self.dice = random.Random(seed)
+        self.number = 40  # the skin has counted since long before
+        self.publisher = self.create_publisher(Int32, "/robot/touch", 100)
+        self.create_timer(PERIOD_S, self.feel)
+
+    def feel(self) -> None:
+        """Publish the touches of this moment, unless another hand is on the topic."""
+        if self.count_publishers("/robot/touch") > 1:
+            return
+        for _ in range(self.dice.choice(TOUCHES)):
+            self.number += 1
+            self.publisher.publish(Int32(data=self.number))
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the skin until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(Skin())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

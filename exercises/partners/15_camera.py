@@ -1,0 +1,24 @@
+"""The camera of exercise 15, with images of 160 by 120 pixels: a ball rolls across the desk."""
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.parameter import Parameter
+
+from lesson_nodes.head_camera import HeadCamera
+
+WIDTH = 160
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the camera until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(HeadCamera(parameter_overrides=[Parameter("width", value=WIDTH)]))
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,38 @@
+"""Remove from a recording the time in which the judge itself was held up."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from workbook.recording.recording import Arrival, Recording
+
+
+def without_standstills(recording: Recording, period_s: float, longest_s: float) -> Recording:
+    """Return the recording without the time in which the judge couldn't publish its messages.
+
+    In that time, the machine was held up, and most likely the program as well, so its messages weren't really that
+    late. `period_s`: the script's period. `longest_s`: the longest pause that still counts as usual.
+    """
+
+    def moments(sent: Sequence[float]) -> Callable[[float], float]:
+        """Return a function that converts a time (s) to the judge's own time. `sent`: when the judge published."""
+        still = [(a, b - a - period_s) for a, b in pairwise(sorted(sent)) if b - a > longest_s]
+        return lambda at: at - sum(min(max(at - begin, 0.0), lasted) for begin, lasted in still)
+
+    on_wall = moments([one.wall for one in recording.published])
+    on_simulated = moments([one.t for one in recording.published])
+
+    def moved(one: Arrival) -> Arrival:
+        sent = None if one.sent is None else on_wall(one.sent)
+        return replace(one, t=on_simulated(one.t), wall=on_wall(one.wall), sent=sent)
+
+    topics = {
+        name: replace(
+            one,
+            arrivals=tuple(map(moved, one.arrivals)),
+            window=one.window and (on_simulated(one.window[0]), on_simulated(one.window[1])),
+        )
+        for name, one in recording.topics.items()
+    }
+    published = [replace(one, t=on_simulated(one.t), wall=on_wall(one.wall)) for one in recording.published]
+    return replace(recording, topics=topics, published=tuple(published))
