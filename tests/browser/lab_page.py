@@ -37,7 +37,6 @@ _ALL_RAN = """
 }
 """
 
-# The moments (ms) at which another picture of the robot came onto the page.
 # A number may be the same after the run: a saved notebook has that of a kernel before. In between stands an asterisk.
 CHANGED = "data-changed"
 _NOTE_CHANGE = f"""
@@ -51,14 +50,15 @@ _NOTE_CHANGE = f"""
 }}
 """
 
+# The moments (ms) at which the robot in a cell moved.
 _COUNT_FRAMES = """
 (name) => {
     const moments = [];
     let last = null;
     const look = () => {
-        const picture = document.querySelector(`img[alt^="${name}"]`);
-        if (picture && picture.src !== last) {
-            last = picture.src;
+        const body = document.querySelector(`.workbook-cell-robot svg[aria-label^="${name}"] > g`);
+        if (body && body.getAttribute('transform') !== last) {
+            last = body.getAttribute('transform');
             moments.push(performance.now());
         }
     };
@@ -266,11 +266,11 @@ class LabPage:
     # --- what shows ------------------------------------------------------------------------------------------
 
     def count_frames(self) -> None:
-        """From now on, keep the moment of each new picture of the robot."""
+        """From now on, keep the moment of each move of the robot in a cell."""
         self.page.evaluate(_COUNT_FRAMES, ROBOT)
 
     def frames(self) -> list[float]:
-        """Seconds on the page's clock at which a new picture of the robot was there."""
+        """Seconds on the page's clock at which the robot in a cell moved."""
         return [moment / 1000 for moment in self.page.evaluate("() => window.robotMoments")]
 
     @staticmethod

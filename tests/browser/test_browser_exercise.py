@@ -2,9 +2,10 @@
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
@@ -15,11 +16,14 @@ from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.feedback.card import Card, Extras
 from workbook.feedback.timeline import judged_timeline
 from workbook.feedback.wording import SIGNS, WORDS, earned, worst_first
+from workbook.lesson.robot_in_cell import ROBOT as LIVE
+from workbook.pictures.joints import CHEER, SQUAT
 from workbook.recording.recording import Recording
 
 from .axe import violations
 from .lab_page import CELL_MS, ROBOT, LabPage
-from .student_lab import ROOT, StudentLab, running
+from .student_lab import ROOT, StudentLab, await_end, running
+from .test_browser_panel import observers
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 STEM = "09_joint_positions"
@@ -31,11 +35,43 @@ LEAST_CONTRAST = 4.5
 NARROW = {"width": 800, "height": 900}
 CARD = ".jp-OutputArea-output:has(div[style*=border-left])"
 # How far something inside stands out of an element, or has to be scrolled to (px).
+# A timeline scrolls in its place.
 STANDS_OUT = """
-card => Math.max(...[card, ...card.querySelectorAll('*')].map(one => {
+card => Math.max(...[card, ...card.querySelectorAll(':not([aria-label=Timeline] > img)')].map(one => {
     const right = one.getBoundingClientRect().right - card.getBoundingClientRect().right;
-    return Math.max(right, one.tagName === 'PROGRESS' ? 0 : one.scrollWidth - one.clientWidth * (one.clientWidth > 0));
+    const fits = one.matches('progress, [aria-label=Timeline]');
+    return Math.max(right, fits ? 0 : one.scrollWidth - one.clientWidth * (one.clientWidth > 0));
 }))
+"""
+WATCHED = "from workbook.lesson import watch_robot\n\n%start\nawait watch_robot(seconds=1)"
+FRONT_END = ROOT / "workbook/lab/front_end/panel"
+POSED = f"{ROBOT}, posed by the last message on /robot/joint_positions"
+_PARTS = "svg => [...svg.querySelectorAll('g')].map(part => part.getAttribute('transform'))"
+HELD = f"([svg, parts]) => String(({_PARTS})(svg)) === String(parts)"
+DRAWN = f"""
+async ([code, figure, pose]) => {{
+    const {{Robot}} = await import(URL.createObjectURL(new Blob([code], {{type: 'text/javascript'}})));
+    const robot = new Robot(figure);
+    robot.take({{awake: true, pose}});
+    while (robot._frame !== null) await new Promise(requestAnimationFrame);
+    return ({_PARTS})(robot.node);
+}}
+"""
+TIMELINE_PX = 560
+REST_MS = 2000
+CHANGES = """
+(svg, ms) => new Promise(done => {
+    let changes = 0;
+    new MutationObserver(records => changes += records.length).observe(svg, {attributes: true, subtree: true});
+    setTimeout(() => done(changes), ms);
+})
+"""
+COUNT_MOVES = """
+svg => {
+    window.robotMoves = 0;
+    const moved = () => window.robotMoves++;
+    new MutationObserver(moved).observe(svg.querySelector('g'), {attributes: true, attributeFilter: ['transform']});
+}
 """
 # At once: a card may be replaced at any time, and Playwright's own scrolling first waits until it stands still.
 SCROLL_TO = "card => card.scrollIntoView({block: 'nearest'})"
@@ -67,6 +103,15 @@ def check_that_nothing_is_cut(page: LabPage, card: Locator, path: Path) -> None:
     page.page.screenshot(path=path)
     assert card.evaluate(STANDS_OUT) <= 1
     page.page.set_viewport_size(wide)
+
+
+def check_timeline(card: Locator) -> None:
+    """Where there's too little room, its words stay readable, and it scrolls."""
+    timeline = card.locator("img")
+    assert timeline.evaluate("image => image.clientWidth") == TIMELINE_PX
+    assert timeline.evaluate("image => image.parentElement.clientWidth") < TIMELINE_PX
+    timeline.evaluate("image => image.parentElement.scrollBy(1000, 0)")
+    assert timeline.evaluate("image => image.parentElement.scrollLeft") > 0
 
 
 def check_picture(card: Locator) -> None:
@@ -103,7 +148,7 @@ def test_a_wrong_answer_then_the_right_one(
     assert written.read_text(encoding="utf-8").strip() == wrong.strip()
     page.run(check)
     expect(card).to_have_count(1)
-    expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
+    expect(card).to_contain_text("Fix first: The joint positions are published at 0.5 Hz")
     expect(card).not_to_contain_text("Provisional", timeout=CELL_MS)
     expect(headline_of(card)).to_contain_text("8 of 10 points.")
     check_picture(card)
@@ -121,11 +166,9 @@ def test_a_wrong_answer_then_the_right_one(
     expect(card).not_to_contain_text("Fix first")
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
     expect(card).to_contain_text("2 more points than before.")
-    expect(card).to_contain_text("What comes next: 10")
+    expect(card).to_contain_text("Next: 10")
     expect(card).to_contain_text("Then started again and watched for", timeout=CELL_MS)
-    robot = card.locator("img")
-    expect(robot).to_have_attribute("alt", re.compile("^Your robot moves"))
-    expect(robot).to_have_js_property("naturalWidth", 315)
+    expect(card.get_by_role("img", name="Your robot moves again")).to_be_visible()
     for theme in in_both_themes(page):
         screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_right_{theme}.png")
         page.page.screenshot(path=artifacts / f"exercise_{theme}.png")
@@ -154,28 +197,98 @@ def test_a_wrong_answer_then_the_right_one(
     expect(page.pop_ups()).to_have_count(0)
 
 
-def test_start_shows_the_own_node_in_the_panel_too_and_stop_ends_it(
+def holds(pose: Sequence[float]) -> str:
+    """An answer whose robot holds this pose."""
+    return f"""\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32MultiArray
+rclpy.init()
+node = Node("holder")
+poses = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+node.create_timer(0.1, lambda: poses.publish(Float32MultiArray(data={list(pose)})))
+rclpy.spin(node)
+"""
+
+
+def drawn_by_the_rig(page: Page, pose: Sequence[float]) -> list[str]:
+    """Where the parts of the figure are in this pose, once it has come to rest."""
+    code = (FRONT_END / "rig.js").read_text(encoding="utf-8")
+    figure = json.loads((FRONT_END / "figure.json").read_text(encoding="utf-8"))
+    rounded = [float(np.float32(angle)) for angle in pose]  # as a message holds them
+    return list(page.evaluate(DRAWN, [code, figure, rounded]))
+
+
+@pytest.mark.whole
+def test_start_shows_the_robot_in_the_cell_and_stop_lets_it_rest(
     page: LabPage, exercise: Exercise, artifacts: Path
 ) -> None:
     page.open(NOTEBOOK)
+    page.page.evaluate("() => sessionStorage.removeItem('rclpy-workbook:offer-robot-panel')")
     answer, start, stop = page.cell("%%answer"), page.cell("%start"), page.cell("%stop")
+    page.write(start, "%start")
+    cell = start.locator(".workbook-cell-robot svg")
+    panel = page.page.locator(".workbook-panel:not(.lm-mod-hidden)")
+    for pose in (CHEER, SQUAT):
+        page.write(answer, f"%%answer {STEM}\n{holds(pose)}")
+        page.run(start)
+        expect(cell).to_have_count(1)
+        expect(start.locator("img")).to_have_count(0)
+        page.page.wait_for_function(HELD, arg=[cell.element_handle(), drawn_by_the_rig(page.page, pose)])
+        if pose == CHEER:  # the first start opens the panel, which is then closed for good
+            expect(panel.get_by_role("img", name=POSED)).to_be_visible()
+            page.panel.get_by_role("button", name="Robot", exact=True).click()
+        expect(panel).to_have_count(0)
+    assert cell.evaluate(CHANGES, REST_MS) == 0, "messages that hold the pose cost frames"
+
     page.write(answer, f"%%answer {STEM}\n{exercise.source.solution_code}")
-    page.run(answer)
+    page.write(start, WATCHED)
     page.run(start)
     expect(start.locator(".jp-OutputArea")).to_contain_text("Running: node")
+    expect(cell).to_have_count(1)
+    expect(start.locator("img")).to_have_count(0)
     assert any(f"{STEM}.py" in line for line in running(page.lab.processes()).values())
+    expect(cell).to_have_attribute("aria-label", POSED)
+    expect(cell).to_have_attribute("data-face", "operational")
+    expect(start.locator(".workbook-words")).to_contain_text("status: operational")
+    cell.evaluate(COUNT_MOVES)
+    page.page.emulate_media(reduced_motion="no-preference")
+    page.page.wait_for_function(
+        "() => window.robotMoves > 40"
+    )  # at the screen's rate: messages come every 2 s
+    page.page.emulate_media(reduced_motion="reduce")
+    for theme in in_both_themes(page):
+        cell.scroll_into_view_if_needed()
+        page.page.screenshot(path=artifacts / f"exercise_start_{theme}.png")
+        assert violations(page.page, ".workbook-cell-robot") == []
+    watching = observers(page.lab)
+    page.panel.locator(".jp-Cell").first.scroll_into_view_if_needed()
+    assert watching and not await_end(watching, 10.0), "a robot out of sight is still watched"
+    cell.scroll_into_view_if_needed()
+    cell.evaluate(COUNT_MOVES)
+    page.page.wait_for_function("() => window.robotMoves > 1")
     page.panel.get_by_role("button", name="Robot", exact=True).click()
-    panel = page.page.locator(".workbook-panel:not(.lm-mod-hidden)")
-    robot = panel.get_by_role("img", name=f"{ROBOT}, posed by the last message on /robot/joint_positions")
-    expect(robot).to_have_attribute("data-face", "operational")
-    expect(panel.locator(".workbook-words")).to_contain_text("status: operational")
+    expect(panel.get_by_role("img", name=POSED)).to_have_attribute("data-face", "operational")
+    expect(panel.locator("tbody", has_text="/robot/joint_positions").locator("td").first).to_contain_text(
+        "Hz"
+    )
     page.page.screenshot(path=artifacts / "exercise_panel.png")
+    watching = observers(page.lab)
+    assert len(watching) == 1, "cell and panel share what they watch"
+
     page.run(stop)
+    expect(stop.locator(".jp-OutputArea")).to_contain_text(f"Stopped {STEM}.")
+    assert not any(f"answers/{STEM}.py" in line for line in running(page.lab.processes()).values())
+    expect(cell).to_have_attribute("data-face", "asleep")
     expect(panel.get_by_role("img", name=f"{ROBOT}, asleep")).to_be_visible()
     page.panel.get_by_role("button", name="Robot", exact=True).click()
     expect(panel).to_have_count(0)
-    expect(stop.locator(".jp-OutputArea")).to_contain_text(f"Stopped {STEM}.")
-    assert not any(f"answers/{STEM}.py" in line for line in running(page.lab.processes()).values())
+    assert not await_end(watching, 10.0), "a robot at rest is still watched"
+    outputs = next(one for one in page.save(NOTEBOOK)["cells"] if "".join(one["source"]) == WATCHED)[
+        "outputs"
+    ]
+    shown = next(one["data"] for one in outputs if "data" in one)
+    assert shown[LIVE] == {"kernel": None} and {"image/png", "text/html", "text/plain"} < set(shown)
 
 
 @pytest.fixture
@@ -197,7 +310,7 @@ def stored_judgement(exercise: Exercise) -> Judgement:
 def says_everything(card: Locator, exercise: Exercise) -> None:
     """Headline, advice, and sign, word, points and title of each criterion can be read."""
     expect(card).to_contain_text("8 of 10 points.")
-    expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
+    expect(card).to_contain_text("Fix first: The joint positions are published at 0.5 Hz")
     expect(card).to_contain_text("Likely cause")
     expect(card).not_to_contain_text("data-jp-theme")
     rows = card.locator("table").last.locator("tbody tr")
@@ -237,6 +350,7 @@ def untrusted_notebook(html: str) -> str:
     return json.dumps({"cells": [cell], "metadata": metadata, "nbformat": 4, "nbformat_minor": 5})
 
 
+@pytest.mark.whole
 def test_a_card_in_an_untrusted_notebook(
     page: LabPage, lab: StudentLab, exercise: Exercise, card_html: str, artifacts: Path
 ) -> None:
@@ -253,6 +367,9 @@ def test_a_card_in_an_untrusted_notebook(
     for theme in in_both_themes(page):
         check_legibility(page, card)
         screenshot(card, artifacts / f"card_untrusted_{theme}.png")
+    page.page.set_viewport_size({"width": 560, "height": 1000})
+    check_timeline(card)
+    page.page.set_viewport_size({"width": 1280, "height": 1000})
 
 
 def test_a_card_without_any_styles(

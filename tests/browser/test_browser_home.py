@@ -21,6 +21,8 @@ FIRST = first_lesson(ROOT) or ""
 EXERCISE = "exercises/05_timers.ipynb"
 USUAL, TALL = ViewportSize(width=1280, height=800), ViewportSize(width=1280, height=1000)
 WIDTHS = (800, 1280, 1600)
+SCREENS = 2.0
+"""How tall the home page may be, in screens of the usual size."""
 NARROW = (1000, 800)
 LEAST_CONTRAST = 4.5
 WIDEST_PROSE = 95
@@ -39,7 +41,8 @@ _LEFT_IS_AT_MOST = "width => document.querySelector('#jp-left-stack').clientWidt
 _WIDEST_LINE = """
 panel => {
     let most = 0;
-    for (const paragraph of [...panel.querySelectorAll('.jp-RenderedMarkdown > p')].slice(0, 20)) {
+    const shown = [...panel.querySelectorAll('.jp-RenderedMarkdown > p')].filter(one => one.offsetHeight);
+    for (const paragraph of shown.slice(0, 20)) {
         const lines = {};
         const walker = document.createTreeWalker(paragraph, NodeFilter.SHOW_TEXT);
         for (let node = walker.nextNode(); node; node = walker.nextNode()) {
@@ -85,6 +88,24 @@ def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
     one.close()
 
 
+# From now on, at each frame: how far the list of lesson 05 is below its title (px), and how its robot looks.
+_WATCH_GREETING = """
+() => {
+    [window.rooms, window.looks] = [new Set(), new Set()];
+    const look = () => {
+        const title = [...document.querySelectorAll('h1')].find(one => one.innerText.startsWith('05'));
+        const list = title?.parentElement.querySelector(':scope > h1 ~ ul');
+        if (list) {
+            window.rooms.add(Math.round(list.getBoundingClientRect().top - title.getBoundingClientRect().top));
+        }
+        document.querySelectorAll('.wb-greeter svg').forEach(robot => window.looks.add(robot.outerHTML));
+        requestAnimationFrame(look);
+    };
+    look();
+}
+"""
+
+
 def is_empty(workspace: dict[str, Any]) -> bool:
     """Whether a later start brings no notebook back: JupyterLab saves that some time after a tab was closed."""
     return not any(key.startswith("notebook:") for key in workspace["data"])
@@ -126,10 +147,16 @@ def check_tour(page: LabPage, artifacts: Path) -> None:
 
 def check_names_of_files(page: LabPage, artifacts: Path) -> None:
     """Each is shown whole, also in a narrow window, in which its column is as narrow as it can be."""
+    column = page.page.locator("#jp-left-stack")
+    expect(column).to_be_hidden()  # it has given its room to the lesson
+    page.page.keyboard.press("Control+b")
+    expect(column).to_be_visible()
     names = page.page.locator(".jp-DirListing-itemName")
     wanted = {path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb")}
     assert wanted <= {name.replace("\u200b", "").strip() for name in names.all_text_contents()}
     assert page.page.evaluate(_CUT_NAMES) == []
+    shown = [name.replace("\u200b", "").strip() for name in names.all_text_contents()]
+    assert shown.index("01_the_context.ipynb") + 1 == shown.index("01_the_context_deeper.ipynb")
     for width in NARROW:
         page.page.set_viewport_size({"width": width, "height": 800})
         page.page.wait_for_function(_LEFT_IS_AT_MOST, arg=width / 3)
@@ -140,6 +167,7 @@ def check_names_of_files(page: LabPage, artifacts: Path) -> None:
             raise AssertionError(f"cut at {width} px: {page.page.evaluate(_CUT_NAMES)}") from error
         page.page.screenshot(path=artifacts / f"names_{width}.png")
     check_a_row_with_another_name(page)
+    page.page.keyboard.press("Control+b")
     page.page.set_viewport_size(USUAL)
 
 
@@ -209,6 +237,7 @@ def check_prompt(page: LabPage, artifacts: Path) -> None:
     expect(button).to_have_text("Copy")
 
 
+@pytest.mark.whole
 def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     page.page.set_viewport_size(USUAL)
     page.open_first()
@@ -224,7 +253,7 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     cell.locator(".cm-content").click()
     page.page.keyboard.press("Shift+Enter")
     expect(cell.locator(".jp-InputPrompt")).to_have_text("[1]:")
-    expect(page.page.locator(f'img[alt^="{ROBOT}"]').first).to_be_in_viewport(ratio=0.99)
+    expect(cell.get_by_role("img", name=ROBOT).first).to_be_in_viewport(ratio=0.99)
     page.page.screenshot(path=artifacts / "first_robot.png")
     check_layout(page, artifacts)
     check_prompt(page, artifacts)
@@ -290,13 +319,36 @@ def test_home_shows_the_way_and_goes_on(page: LabPage, lab: StudentLab, artifact
     check_tabs(page, artifacts)
 
 
+def test_a_robot_waves_where_a_lesson_opens(page: LabPage, artifacts: Path) -> None:
+    page.open("notebooks/00_start_here.ipynb")
+    expect(page.panel.get_by_role("heading", name="00")).to_be_visible()
+    expect(page.panel.locator(".wb-greeter")).to_have_count(0)
+    page.page.emulate_media(reduced_motion="no-preference")
+    page.page.evaluate(_WATCH_GREETING)
+    page.open("notebooks/05_timers.ipynb")
+    robot = page.panel.get_by_role("img", name="a robot that waves to you")
+    expect(robot).to_be_in_viewport(ratio=0.99)
+    page.page.wait_for_function("() => window.looks.size > 20")
+    assert len(page.page.evaluate("() => [...window.rooms]")) == 1, "the list jumps when the robot comes"
+    for theme in page.themes():
+        page.choose_theme(theme)
+        page.page.screenshot(path=artifacts / f"greeting_{theme}.png")
+        assert violations(page.page, ".wb-greeter") == []
+    page.page.emulate_media(reduced_motion="reduce")
+
+
 def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
     """It is for everybody: in both themes, narrow and wide."""
     assert home.evaluate("one => Boolean(one.closest('main, [role=main]'))")
+    robot = home.get_by_role("img", name=ROBOT)
+    expect(robot).to_have_attribute("aria-label", re.compile("you have done 0 % of the course"))
+    page.page.set_viewport_size(USUAL)
+    assert home.evaluate("one => one.scrollHeight / one.clientHeight") <= SCREENS
     for theme in page.themes():
         page.choose_theme(theme)
         for width in WIDTHS:
             page.page.set_viewport_size({"width": width, "height": 900})
+            expect(robot).to_be_in_viewport(ratio=0.99)
             assert home.evaluate("one => one.scrollWidth - one.clientWidth") == 0, f"cut at {width} px"
             assert home.evaluate(_STANDS_OUT) == [], f"one over the other at {width} px"
             page.page.screenshot(path=artifacts / f"home_{width}_{theme}.png")
@@ -311,10 +363,10 @@ def check_tabs(page: LabPage, artifacts: Path) -> None:
     page.open(EXERCISE)
     exercise = page.page.locator(f"{TABS}[data-workbook=exercise]")
     expect(exercise).to_have_class(re.compile("lm-mod-current"))
-    words = page.page.locator(f"{TABS} .lm-TabBar-tabLabel", has_text="05_timers").evaluate_all(
-        "all => all.map(one => getComputedStyle(one, '::before').content)"
+    words = page.page.locator(TABS, has_text="05_timers").evaluate_all(
+        "all => all.map(one => getComputedStyle(one, '::after').content)"
     )
-    assert sorted(words) == ['"Exercise "', "none"]
+    assert sorted(words) == ['"05 ✎"', '"05"']
     expect(page.page.locator(f"{TABS}.jp-mod-dirty")).to_have_count(0)
     page.page.screenshot(path=artifacts / "tabs.png")
     page.await_server("api/kernels", lambda kernels: len(kernels) == 2)

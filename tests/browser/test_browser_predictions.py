@@ -1,10 +1,9 @@
-"""A prediction in JupyterLab: chosen with the keyboard alone, revealed after the run, readable in both themes."""
+"""A prediction in JupyterLab: buttons in the place of the options, one key to choose, revealed after the run."""
 
-import re
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Locator, ViewportSize, expect
+from playwright.sync_api import Locator, Page, ViewportSize, expect
 
 from .axe import violations
 from .lab_page import NOTEBOOK, LabPage
@@ -12,87 +11,124 @@ from .lab_page import NOTEBOOK, LabPage
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 LESSON = "notebooks/05_timers.ipynb"
 ENOUGH_CONTRAST = 4.5
-WIDE, NARROW = ViewportSize(width=1280, height=1000), ViewportSize(width=800, height=1000)
+WIDE = ViewportSize(width=1280, height=1000)
+WIDTHS = (800, 1280, 1600)
 
 
-def check_narrow(page: LabPage, cell: Locator, artifacts: Path) -> None:
-    """That long options are not cut off in a narrow window."""
-    page.page.set_viewport_size(NARROW)
-    page.page.keyboard.press("Control+b")  # the file browser
-    cell.scroll_into_view_if_needed()
-    for button in cell.locator(".workbook-prediction button").all():
-        assert button.evaluate(
-            "one => one.scrollWidth <= one.clientWidth && one.scrollHeight <= one.clientHeight"
-        )
-    page.page.screenshot(path=artifacts / "prediction_narrow.png")
-    page.page.keyboard.press("Control+b")
+def widths_of(buttons: Locator) -> set[int]:
+    return {round(box["width"]) for one in buttons.all() if (box := one.bounding_box())}
+
+
+def check_looks(page: LabPage, ask: Locator, outcome: Locator, artifacts: Path) -> None:
+    """Readable in both themes; in each window, the buttons are of one width, and no text is cut off."""
+    buttons = ask.locator(".wb-option")
+    for theme in page.themes():
+        page.choose_theme(theme)
+        for place in (ask, outcome):
+            place.scroll_into_view_if_needed()
+            low = {text: ratio for text, ratio in page.contrasts(place).items() if ratio < ENOUGH_CONTRAST}
+            assert not low, f"{theme}: {low}"
+        assert violations(page.page, NOTEBOOK) == []
+        for width in WIDTHS:
+            page.page.set_viewport_size({"width": width, "height": 1000})
+            ask.scroll_into_view_if_needed()
+            assert len(widths_of(buttons)) == 1
+            for button in buttons.all():
+                assert button.evaluate("one => one.scrollWidth <= one.clientWidth")
+            page.page.screenshot(path=artifacts / f"prediction_{width}_{theme}.png")
     page.page.set_viewport_size(WIDE)
 
 
-def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(
-    page: LabPage, artifacts: Path
-) -> None:
+def walk_to(page: LabPage, ask: Locator) -> Page:
+    """Select the question's text, and go down one cell, as the keyboard does."""
+    ask.locator("xpath=preceding-sibling::div[1]").locator("p").last.click()
+    page.page.keyboard.press("ArrowDown")
+    return page.page
+
+
+def test_a_prediction_is_chosen_by_one_key_and_revealed_after_the_run(page: LabPage, artifacts: Path) -> None:
     page.open(LESSON)
     expect(page.panel.locator(".jp-OutputArea-output")).to_have_count(0)  # the copy arrives unsolved
-    longest = page.cell("from workbook.lesson import predict, reveal")
-    page.run(longest)
-    check_narrow(page, longest, artifacts)
-    ask = page.cell('predict("half-a-hertz")')
-    reveals = page.cell('reveal("half-a-hertz"')
-    page.run(ask)
-    buttons = ask.locator(".workbook-prediction button")
+    first = page.cell('predict("loop-and-timer")')
+    ask, reveals = page.cell('predict("half-a-hertz")'), page.cell('reveal("half-a-hertz"')
+    question = ask.locator("xpath=preceding-sibling::div[1]")
+    buttons = ask.locator(".wb-option")
     expect(buttons).to_have_count(3)
+    expect(question.locator("li").first).to_be_hidden()  # the buttons stand in their place
+    expect(ask.locator(".cm-content")).to_be_hidden()
+    expect(ask.locator("[role=status]")).to_have_text("Choose a, b or c: click, or press the key.")
 
-    page.run(reveals)
+    page.run(reveals)  # before any prediction, and without the hidden line that imports `reveal`
     waiting = reveals.locator(".jp-OutputArea-output").last
     expect(waiting).to_contain_text("Your prediction comes first")
     expect(reveals).not_to_contain_text("The outcome is")
 
-    buttons.first.focus()
-    page.page.keyboard.press("Tab")
+    cells = page.panel.locator(".jp-Cell").count()
+    keyboard = walk_to(page, ask).keyboard
+    expect(buttons.first).to_be_focused()
+    keyboard.press("b")
+    expect(ask.locator("[role=status]")).to_contain_text("Your prediction: b. The outcome is shown below")
+    expect(buttons.nth(1)).to_have_attribute("aria-pressed", "true")
     expect(buttons.nth(1)).to_be_focused()
     page.page.screenshot(path=artifacts / "prediction_focus.png")
-    cells = page.panel.locator(".jp-Cell").count()
-    page.page.keyboard.press("Enter")
-    expect(ask.locator("[role=status]")).to_contain_text("Your prediction: b")
-    expect(buttons.nth(1)).to_contain_text("● b)")
     assert page.panel.locator(".jp-Cell").count() == cells, "the key did something to the notebook as well"
 
     outcome = reveals.locator(".jp-RenderedHTMLCommon").last
     expect(outcome).to_contain_text("You predicted b. The outcome is c.")
     expect(outcome.locator("tbody")).to_have_count(3)
-    buttons.nth(2).focus()
-    page.page.keyboard.press("Space")
+    expect(outcome.locator("details:not([open])")).to_have_count(1)  # neither chosen nor true
+    expect(buttons.nth(2)).to_contain_text("✓ outcome")
+    expect(buttons.nth(1)).to_contain_text("your prediction")
+    keyboard.press("c")
     expect(ask.locator("[role=status]")).to_contain_text("it stays")
-    expect(buttons.nth(1)).to_contain_text(re.compile("^● b"))
-    for theme in page.themes():
-        page.choose_theme(theme)
-        for place in (ask.locator(".workbook-prediction"), outcome):
-            place.scroll_into_view_if_needed()
-            low = {text: ratio for text, ratio in page.contrasts(place).items() if ratio < ENOUGH_CONTRAST}
-            assert not low, f"{theme}: {low}"
-        assert violations(page.page, NOTEBOOK) == []
-        ask.scroll_into_view_if_needed()
-        page.page.screenshot(path=artifacts / f"prediction_{theme}.png")
+    expect(buttons.nth(1)).to_have_attribute("aria-pressed", "true")
+    check_looks(page, ask, outcome, artifacts)
 
+    check_fold(page, first, artifacts)
     page.save(LESSON)
     page.close_notebook()
     check_opened_again(page, artifacts)
 
 
+def check_fold(page: LabPage, ask: Locator, artifacts: Path) -> None:
+    """*Look inside* unfolds when the outcome of the question before it is known."""
+    heading = page.panel.locator(".jp-MarkdownCell", has=page.page.locator("h2", has_text="Look inside"))
+    note, text = heading.locator(".wb-fold-note"), heading.locator("h2 ~ p").first
+    expect(note).to_be_visible()
+    expect(text).to_be_hidden()
+    note.scroll_into_view_if_needed()
+    assert violations(page.page, ".wb-fold-note") == []
+    page.page.screenshot(path=artifacts / "prediction_folded.png")
+    for run in ("loop_moments", "class TiltReader", 'reveal("loop-and-timer"'):
+        page.run(page.cell(run))
+    expect(text).to_be_hidden()  # it has run, and nobody has predicted
+    ask.locator(".wb-option").first.click()
+    expect(text).to_be_visible()
+    expect(note).to_have_count(0)
+    expect(ask.locator(".wb-outcome")).to_contain_text("b")
+
+
 def check_opened_again(page: LabPage, artifacts: Path) -> None:
-    """A lesson that was run, saved and opened again is as it was saved: its kernel is new, and no button works."""
+    """A lesson that was run, saved and opened again shows what was chosen, although no cell has run."""
     page.open(LESSON)
     ask = page.cell('predict("half-a-hertz")')
-    expect(ask.locator(".wb-widget-text")).to_have_text(
-        re.compile("^Choose a, b or c, with a button or by hand")
-    )
+    buttons = ask.locator(".wb-option")
+    expect(buttons.nth(1)).to_have_attribute("aria-pressed", "true")
+    expect(buttons.nth(2)).to_contain_text("✓ outcome")
+    expect(page.panel.locator(".wb-fold-note")).to_have_count(0)
     expect(page.panel).not_to_contain_text("Error displaying widget")
     expect(page.cell('reveal("half-a-hertz"')).to_contain_text("You predicted b. The outcome is c.")
     expect(page.notebook_tabs()).to_have_count(1)
     expect(page.page.locator(".lm-TabBar-tab.jp-mod-dirty")).to_have_count(0)
     ask.scroll_into_view_if_needed()
     page.page.screenshot(path=artifacts / "prediction_opened_again.png")
-    page.run(page.cell("from workbook.lesson import predict, reveal"))
-    page.run(ask)
-    expect(ask.locator(".workbook-prediction button").nth(1)).to_contain_text("● b)")
+
+
+def test_the_page_shows_no_key_before_the_choice(page: LabPage) -> None:
+    """Nothing that the page holds, or may ask the server for, tells more than the question."""
+    page.open("notebooks/04_subscriptions_and_callbacks.ipynb")
+    expect(page.panel.locator(".wb-option").first).to_be_visible()
+    address = f"{page.lab.address}/workbook/predictions?lesson=04_subscriptions_and_callbacks"
+    told = page.page.request.get(f"{address}&token={page.lab.token}").json()
+    assert told == {"choices": {}, "outcomes": {}}
+    assert page.panel.locator(".wb-outcome").count() == 0

@@ -1,14 +1,17 @@
-"""Code, tracebacks and pictures of time can be read in both themes, and nothing is cut in a narrow window."""
+"""Code, tracebacks and pictures of time can be read in both themes, and nothing is cut in a narrow window. Films can be
+stopped.
+"""
 
+import shutil
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, expect
 
 from .axe import violations
 from .lab_page import NOTEBOOK, LabPage
 from .panel_notebook import write_notebook
-from .student_lab import StudentLab
+from .student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 ENOUGH = 4.5
@@ -93,3 +96,47 @@ def test_code_tracebacks_and_timelines_can_be_read(page: LabPage, lab: StudentLa
         assert len(seen) > 30
         assert not {text: ratio for text, ratio in seen.items() if ratio < ENOUGH}
         assert violations(page.page, NOTEBOOK) == []
+
+
+def first_film(page: LabPage, lab: StudentLab, stem: str) -> tuple[Locator, Locator]:
+    """Open a committed lesson, with its outputs. Returns the slider and the button of its first film."""
+    shutil.copy(ROOT / "notebooks" / f"{stem}.ipynb", lab.work / "films.ipynb")
+    page.open("films.ipynb")
+    film = page.panel.locator(".wb-film").first
+    film.scroll_into_view_if_needed()
+    slider = film.get_by_label("Position in the film")
+    expect(slider).to_be_visible()
+    return slider, film.get_by_role("button")
+
+
+def test_a_film_waits_for_a_reader_who_wants_no_motion(page: LabPage, lab: StudentLab) -> None:
+    slider, button = first_film(page, lab, "07_typed_nodes")
+    expect(button).to_have_text("↻ Replay")
+    assert slider.input_value() == slider.get_attribute("max")
+    expect(page.panel.locator(".wb-film").get_by_role("img").first).to_have_js_property("tagName", "CANVAS")
+    button.click()
+    expect(button).to_have_text("Pause")
+    expect(slider).not_to_have_value("0")
+
+
+def test_a_film_plays_once_when_it_is_seen(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
+    page.page.emulate_media(reduced_motion="no-preference")
+    slider, button = first_film(page, lab, "05_timers")
+    expect(button).to_have_text("Pause")
+    expect(slider).not_to_have_value("0")
+    button.click()
+    expect(button).to_have_text("Play")
+    cell = page.panel.locator(".jp-Cell.jp-mod-selected")
+    selected = cell.get_attribute("data-windowed-list-index")
+    slider.press("End")
+    slider.press("ArrowLeft")
+    expect(slider).to_have_value(str(int(slider.get_attribute("max") or 0) - 1))
+    button.press("Enter")
+    expect(button).to_have_text("↻ Replay")
+    assert slider.input_value() == slider.get_attribute("max")
+    assert cell.get_attribute("data-windowed-list-index") == selected, "the keys were the notebook's"
+    for theme in page.themes():
+        page.choose_theme(theme)
+        page.page.screenshot(path=artifacts / f"film_{theme}.png")
+        assert violations(page.page, ".jp-OutputArea-output:has(.wb-film)") == []
+    page.page.emulate_media(reduced_motion="reduce")

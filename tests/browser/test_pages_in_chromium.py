@@ -8,12 +8,12 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
+from workbook.authoring.site.generated_class import SIZE, STEM, generated_class
 from workbook.exercise.definition import load_exercise
 from workbook.grading.gradebook import GradebookOptions, write_gradebook
 from workbook.grading.pages import CLASS, PAGES, page_name
 
 from .axe import violations
-from .generated_class import SIZE, STEM, generated_class
 from .student_lab import ROOT
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
@@ -108,7 +108,7 @@ def test_the_map_of_a_class_can_be_sorted_and_filtered(books: Path, themed: Brow
     expect(heads.first).to_have_attribute("aria-sort", "descending")
     assert names(page) == first_to_last[::-1]
 
-    rate = heads.filter(has_text="The joint positions come at 0.5 Hz")
+    rate = heads.filter(has_text="The joint positions are published at 0.5 Hz")
     rate.locator("button").click()
     expect(page.locator("[aria-sort]")).to_have_count(1)
     column = int(rate.locator("b").inner_text())

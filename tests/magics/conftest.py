@@ -13,6 +13,7 @@ import pytest
 from workbook.authoring.kernels import PrivateKernelManager
 
 PATIENCE_S = 90.0
+WAITING = "Watching "
 START = """
 from workbook.ros.environment import prepare
 _ = prepare()
@@ -78,7 +79,14 @@ class Kernel:
             content, kind = message["content"], message["msg_type"]
             if kind == "stream":
                 shown.text += content["text"]
-            elif kind in ("display_data", "execute_result"):  # an update belongs to an earlier cell
+            elif kind in ("display_data", "execute_result", "update_display_data"):
+                if (
+                    kind == "update_display_data"
+                ):  # it belongs to an earlier cell, or it's the card after a waiting line
+                    if not shown.displays or not shown.displays[-1].startswith(WAITING):
+                        continue
+                    shown.displays.pop()
+                    shown.html.pop()
                 shown.displays.append(content["data"].get("text/markdown") or content["data"]["text/plain"])
                 shown.html.append(content["data"].get("text/html", ""))
             elif kind == "error":

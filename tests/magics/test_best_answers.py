@@ -2,9 +2,12 @@
 
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -12,6 +15,8 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.feedback.moment import Film
+from workbook.grading.slots.client import ShowProgress
+from workbook.grading.slots.protocol import Progress
 from workbook.lesson.best_answers import (
     Check,
     NothingJudged,
@@ -123,7 +128,7 @@ def test_the_card_comes_first_and_the_moving_robot_costs_no_judgement(
         Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"))
     )
 
-    def judge(_: str, __: Answer, report: Callable[[Judgement], None]) -> Judgement:
+    def judge(_: str, __: Answer, report: Callable[[Judgement], None], *___: object) -> Judgement:
         report(FULL)
         return EIGHT
 
@@ -135,10 +140,76 @@ def test_the_card_comes_first_and_the_moving_robot_costs_no_judgement(
 
     monkeypatch.setattr(checking, "judge", judge)
     monkeypatch.setattr(live_card, "film_of", draw)
-    monkeypatch.setattr(card, "_put", lambda one: shown.append(one._repr_html_()))
+    monkeypatch.setattr(card, "_put", lambda one, _: shown.append(one._repr_html_()))
     card.judge()
     assert ["Your robot moves." in page for page in shown] == (
         [False, True, False] if can_draw else [False, False]
     )
     assert "8 of 10 points" in shown[-1]
     assert load_progress(STEM).best == 8.0
+
+
+def test_a_line_says_what_is_watched_until_the_card_comes(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown: list[str] = []
+    is_blank = threading.Event()
+    card = live_card.LiveCard(
+        Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"))
+    )
+
+    def put(one: Any, robot: object) -> None:
+        assert robot is None, "a front end that draws no robot gets none"
+        shown.append(repr(one))
+        monkeypatch.setattr(card, "_handle", object())
+        is_blank.set()
+
+    def judge(
+        _: str, __: Answer, report: Callable[[Judgement], None], ___: object, progress: ShowProgress
+    ) -> Judgement:
+        assert is_blank.wait(60)  # nothing has come for a while
+        progress(Progress(0, 12.0, {"/robot/joint_positions": 6}))
+        report(EIGHT)
+        progress(Progress(0, 13.0, {}))
+        return EIGHT
+
+    monkeypatch.setattr(checking, "judge", judge)
+    monkeypatch.setattr(card, "_put", put)
+    card.judge()
+    watching = "Watching 26 seconds of your robot's life, in fast motion ..."
+    assert shown[:2] == [watching, f"{watching} 12.0 s so far, 6 on /robot/joint_positions"]
+    assert all("8 of 10 points" in words for words in shown[2:]) and len(shown) == 4
+
+
+def test_a_robot_moves_only_for_a_check_that_takes_long(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robots: list[Any] = []
+    now = [100.0]
+    monkeypatch.setattr(live_card, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(live_card, "BLANK_S", 3600.0)
+    card = live_card.LiveCard(
+        Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"), replays=True)
+    )
+    monkeypatch.setattr(card, "_put", lambda _, robot: robots.append(robot))
+
+    def judge(
+        _: str, __: Answer, report: Callable[[Judgement], None], ___: object, progress: ShowProgress
+    ) -> Judgement:
+        heard = Progress(0, 12.0, {"/robot/status": 6}, {"/robot/status": {"data": "operational"}})
+        heard = replace(heard, types={"/robot/status": "std_msgs/msg/String"})
+        card._wait(None)
+        now[0] += live_card.ROBOT_AFTER_S - 0.1
+        progress(heard)
+        now[0] += 0.2
+        progress(replace(heard, watched_s=25.9))  # it's nearly over
+        progress(heard)
+        return FULL
+
+    monkeypatch.setattr(checking, "judge", judge)
+    monkeypatch.setattr(card, "_handle", object())
+    card.judge()
+    before, early, nearly_over, watched, *cards = robots
+    assert before is None and early is None and nearly_over is None
+    assert watched["news"]["face"] == "operational"
+    assert [set(one) for one in cards] == [set(), {"replay"}, {"replay"}]

@@ -10,6 +10,7 @@ from tests.programs.support import is_gone, wait_until
 from workbook.exercise.definition import load_exercise
 from workbook.inside.proc import process_tree
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION
+from workbook.magics.screen import STARTED_PAYLOAD
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -87,7 +88,7 @@ def test_from_the_starter_to_full_marks(kernel: Kernel) -> None:
     assert first.displays[0] == LIVES_ON
     assert "answers/09_joint_positions.py" in first.html[0]
     assert kernel.good("%check").displays[0] == LIVES_ON, "the first check still lives on in the background"
-    assert answer(kernel, SOURCE.solution_code) == "answers/09_joint_positions.py is as it was.\n"
+    assert answer(kernel, SOURCE.solution_code) == "answers/09_joint_positions.py is unchanged.\n"
     said = answer(kernel, SOURCE.starter_code)
     assert said.startswith("Kept your answer in answers/09_joint_positions.py")
     assert (kernel.folder / "answers" / f"{STEM}.py").read_text() == SOURCE.solution_code
@@ -130,7 +131,10 @@ def test_a_program_that_waits_for_a_clock_is_told_so_when_it_starts(kernel: Kern
 def test_a_program_runs_beside_the_notebook(kernel: Kernel) -> None:
     answer(kernel, SOURCE.solution_code)
     before = alone(kernel)
-    assert "node /humanoid_status_publisher is on the graph" in kernel.good("%start").text
+    started = kernel.good("%start")
+    assert "node /humanoid_status_publisher is on the graph" in started.text
+    assert started.displays == ["Picture: a humanoid robot with twelve joints"]
+    assert started.payloads == [{"source": STARTED_PAYLOAD}]
     [program] = alone(kernel) - before
     assert "Running: node /humanoid_status_publisher" in kernel.good("%start").text, (
         "a second start replaces it"
@@ -144,11 +148,12 @@ def test_a_program_runs_beside_the_notebook(kernel: Kernel) -> None:
 
 def test_a_program_that_ends_at_once_says_why(kernel: Kernel) -> None:
     answer(kernel, "import rclpy\nrclpy.init()\nraise ValueError('joint 7 is loose')\n")
-    said = kernel.good("%start").text
-    assert "Your program ended with line 3: ValueError: joint 7 is loose" in said
+    shown = kernel.good("%start")
+    assert "Your program ended with line 3: ValueError: joint 7 is loose" in shown.text
+    assert (shown.displays, shown.payloads) == ([], []), "a robot without a program"
     answer(kernel, "print('done')\n")
     said = kernel.good("%start").text
-    assert "ended at once (exit code 0). Does it spin?" in said
+    assert "ended right away (exit code 0). Does it spin?" in said
     assert "done" in said
 
 

@@ -11,7 +11,15 @@ from tests.magics.conftest import Kernel
 from workbook.exercise.definition import load_exercise
 from workbook.lab.jupyter_files import FRONT_END
 from workbook.lesson.progress import load_progress
-from workbook.magics.screen import ANSWER_PAYLOAD, answer_on_screen, answers_on_screen, version_that_ran
+from workbook.lesson.robot_in_cell import ROBOT
+from workbook.magics.live_card import CHECK
+from workbook.magics.screen import (
+    ANSWER_PAYLOAD,
+    STARTED_PAYLOAD,
+    answer_on_screen,
+    answers_on_screen,
+    version_that_ran,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -118,8 +126,20 @@ def test_the_last_answer_cell_of_an_exercise_counts() -> None:
 
 def test_both_sides_use_the_same_names() -> None:
     script = (FRONT_END / "answers.js").read_text(encoding="utf-8")
-    assert f"payload.source === '{ANSWER_PAYLOAD}'" in script
-    assert "{workbook: {answers}}" in script
+    for payload in (ANSWER_PAYLOAD, STARTED_PAYLOAD):
+        assert f"payload.source === '{payload}'" in script
+    assert "{answers}" in script and "robot: " in script and "{...metadata, workbook}" in script
+    for name, file, kind in (("TYPE", "cell.js", ROBOT), ("CHECK", "card.js", CHECK)):
+        assert f"{name} = '{kind}'" in (FRONT_END / "panel" / file).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(("robot", "drawn"), [("True", True), ("False", False), ("None", False)])
+def test_where_the_page_draws_robots_the_kernel_sends_poses(kernel: Kernel, robot: str, drawn: bool) -> None:
+    kernel.good("from workbook.lesson import watch_robot")
+    told = f"get_ipython().get_parent()['metadata']['workbook'] = {{'robot': {robot}}}\n"
+    shown = kernel.good(f"{told}await watch_robot(seconds=0.3)")
+    assert len(shown.displays) == 1
+    assert bool(shown.html[0]) is not drawn, "a picture, and a pose in its place"
 
 
 @pytest.mark.parametrize(

@@ -158,7 +158,7 @@ def test_an_error_of_the_frame_is_the_callers() -> None:
 
 
 def test_never_a_picture_is_an_error() -> None:
-    with pytest.raises(RuntimeError, match="gave None each time"):
+    with pytest.raises(RuntimeError, match="returned None each time"):
         asyncio.run(animate(lambda: None, 0.05, describe="counter", screen=FakeScreen()))
 
 

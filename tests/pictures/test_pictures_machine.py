@@ -57,7 +57,7 @@ def test_each_arrival_and_each_callback_has_its_moment() -> None:
     assert sum("calls on_distance" in words for words in told) == 2
     assert any("The queue is full: message 1 is thrown away" in words for words in told)
     assert any("one tick waits already" in words for words in told)
-    assert told[0] == "No thread is in spin. What comes waits in its queue."
+    assert told[0] == "No thread is in spin. New messages wait in their queues."
 
 
 def test_a_part_of_the_recording_is_played() -> None:
@@ -91,5 +91,5 @@ def test_those_who_want_no_motion_get_stills() -> None:
 
 def test_a_recording_in_which_nothing_happened_is_refused() -> None:
     empty = MachineRecording([DISTANCE], [], [], [], [], 1, 0.1)
-    with pytest.raises(ValueError, match="nothing was noted"):
+    with pytest.raises(ValueError, match="nothing happened"):
         play(empty, "nothing")

@@ -36,7 +36,7 @@ def test_a_picture_without_resolution_is_shown_dot_by_dot() -> None:
 
 @pytest.mark.parametrize("damaged", [b"", b"<svg/>", b"\x89PNG\r\n\x1a\n1234abcd"])
 def test_other_bytes_are_refused(damaged: bytes) -> None:
-    with pytest.raises(ValueError, match="not a PNG picture"):
+    with pytest.raises(ValueError, match="not a PNG image"):
         Still(damaged, "nothing")
 
 

@@ -53,7 +53,7 @@ def test_each_face_has_eyes_a_mouth_and_a_lamp_of_its_own() -> None:
         "asleep": 5,  # and what it says in its sleep
     }
     signs = [one["sign"] for one in FIGURE["parts"] if "sign" in one]
-    assert signs == ["heart", "battery", "level", "alarm"]
+    assert signs == ["heart", "battery", "level", "alarm", "thought"]
 
 
 def test_all_shapes_are_there(monkeypatch: pytest.MonkeyPatch) -> None:

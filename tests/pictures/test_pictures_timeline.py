@@ -12,10 +12,10 @@ from workbook.pictures import palette, png, timeline
 from workbook.pictures.marks import gaps, tiny
 from workbook.recording.recording import (
     Arrival,
-    Phase,
     ProcessRecord,
     PublisherSeen,
     Recording,
+    Stretch,
     TopicRecording,
 )
 
@@ -35,7 +35,7 @@ def recording(
         for name, at in times.items()
     }
     return Recording(
-        "simulated", 7, (Phase(speed, 0.0, 20.0),), 20.0, 2.5, topics, (), process or ProcessRecord()
+        "simulated", 7, (Stretch(speed, 0.0, 20.0),), 20.0, 2.5, topics, (), process or ProcessRecord()
     )
 
 
@@ -144,7 +144,7 @@ def test_a_program_that_lived_to_the_end_has_no_mark(process: ProcessRecord) -> 
 
 def test_a_program_that_published_nothing_can_be_drawn() -> None:
     record = Recording(
-        "wall", 3, simulated_s=5.0, wall_s=5.0, process=ProcessRecord(exit=1, ended_at=0.4, ended_by="itself")
+        "wall", 3, watched_s=5.0, wall_s=5.0, process=ProcessRecord(exit=1, ended_at=0.4, ended_by="itself")
     )
     assert np.count_nonzero(colored(timeline.timeline(record), palette.RED)) > 0
     assert timeline.describe(record) == "timeline of messages: nothing was published; the program ended early"

@@ -1,4 +1,4 @@
-"""Giving up the capabilities of this process for good."""
+"""Give up this process's capabilities, permanently."""
 
 import ctypes
 
@@ -15,28 +15,28 @@ CAPABILITIES = 64
 
 
 def clear_bounding_set() -> None:
-    """No program that this one becomes can gain a capability."""
+    """Ensure that this process can't gain a capability by executing another program."""
     for capability in range(CAPABILITIES):
-        libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0)  # only root may, and only root needs it
+        libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0)  # fails without root, but only root needs it
 
 
 def drop_capabilities() -> None:
-    """Drop what capabilities a thread still holds; set-user-id programs will not help it. Raises OSError."""
+    """Drop all capabilities that this thread still has, and disable set-user-ID programs. Raises OSError."""
     libc.prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0)
     _hold(0)
     forbid_new_rights()
 
 
 def bounding_set() -> int:
-    """The capabilities (a bit each) that a program can gain at most that this process becomes."""
+    """Return the most capabilities (one bit each) that a program executed by this process can gain."""
     within = (libc.prctl(PR_CAPBSET_READ, capability, 0, 0, 0) == 1 for capability in range(CAPABILITIES))
     return sum(1 << capability for capability, is_within in enumerate(within) if is_within)
 
 
 def hold_within(bounds: int) -> None:
-    """Hold the capabilities of the bounding set `bounds`, which becomes ours; those beyond it are gone for good.
+    """Set this process's capabilities and its bounding set to `bounds`, and give up all others permanently.
 
-    A name space of users gives all of them to who enters it. Set-user-id programs will not help. Raises OSError.
+    Entering a user namespace grants all capabilities. Also disables set-user-ID programs. Raises OSError.
     """
     for capability in range(CAPABILITIES):
         if not bounds & 1 << capability:
@@ -46,17 +46,20 @@ def hold_within(bounds: int) -> None:
 
 
 def _hold(capabilities: int) -> None:
-    """Hold these capabilities (a bit each) and no others, none of them inheritable."""
+    """Set exactly these capabilities (one bit each), none of them inheritable."""
     header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
     low, high = capabilities & 0xFFFFFFFF, capabilities >> 32
     checked("capset", libc.capset(header, (ctypes.c_uint32 * 6)(low, low, 0, high, high, 0)))
 
 
 def forbid_new_rights() -> None:
-    """Set-user-id programs will not help this process. Raises OSError."""
+    """Prevent this process from gaining rights through set-user-ID programs. Raises OSError."""
     checked("no_new_privs", libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0))
 
 
 def set_dumpable() -> None:
-    """Let other processes of the same user read this one, which a change of capabilities forbids. Raises OSError."""
+    """Let other processes of the same user read this process, which a change of capabilities disables.
+
+    Raises OSError.
+    """
     checked("dumpable", libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0))

@@ -1,12 +1,14 @@
-"""Confines this process and becomes another program: `python -I -S run.py confine OPTION... -- COMMAND...`
+"""Confine this process, and then execute another program.
+
+Start it with `python -I -S run.py confine OPTION... -- COMMAND...`, and these options:
 
     [--user ID] [--processes N] [--read PATH]... [--write PATH]...
 
-Whatever is asked for, capabilities and ways to new ones are given up. `--user` takes an id (and the group of the same
-number) that no account needs to have. With any `--read` or `--write` Landlock hides all other files, and keeps signals
-and TCP connections inside, as far as this kernel knows how (`landlock_abi`). A filter of system calls
-refuses memory that no limit counts; without `--user`, it also does what Landlock does not: it keeps the permissions of
-the user's files as they are.
+In every case, the process gives up its capabilities and all ways to regain them. `--user` takes a user id, also used as
+the group id, that needs no account. With any `--read` or `--write`, Landlock hides all other files. It also blocks
+signals and TCP connections to outside processes, if the kernel supports that (`landlock_abi`). With any of these three
+options, a system call filter refuses memory that no limit counts. Without `--user`, it also refuses to change the
+permissions of the user's files, which Landlock allows.
 """
 
 import os
@@ -19,21 +21,21 @@ FAILED = 126
 
 
 def become(user: int) -> None:
-    """Take a user id and the group of the same number, and no other group, for good."""
+    """Switch permanently to a user id and the group with the same number, without any other groups."""
     os.setgroups([])
     os.setresgid(user, user, user)
     os.setresuid(user, user, user)
 
 
 def limit_processes(most: int) -> None:
-    """Limit threads and processes of this process's user to `most` in all."""
+    """Limit the total number of threads and processes of this process's user to `most`."""
     _, hard = resource.getrlimit(resource.RLIMIT_NPROC)
     wanted = most if hard == resource.RLIM_INFINITY else min(most, hard)
     resource.setrlimit(resource.RLIMIT_NPROC, (wanted, wanted))
 
 
 def main(arguments: list[str]) -> None:
-    """Do as the command line says. Ends with code 126 and a sentence when that is not possible."""
+    """Follow the command line. On failure, print the reason and exit with code 126."""
     asked: dict[str, list[str]] = {"--user": [], "--processes": [], "--read": [], "--write": []}
     while arguments[0] != "--":
         asked[arguments[0]].append(arguments[1])

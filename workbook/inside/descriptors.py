@@ -1,4 +1,4 @@
-"""The descriptors of processes, as /proc shows them: how many there are, and what epoll instances watch."""
+"""Inspect processes' descriptors in /proc: how many there are, and how many of them epoll instances watch."""
 
 import os
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ EPOLL = "anon_inode:[eventpoll]"
 
 
 def descriptors(pids: Iterable[int]) -> list[str]:
-    """The descriptors that these processes have open, as links; what they share counts in each of them."""
+    """Return these processes' open descriptors, as paths in /proc. A shared descriptor counts for each process."""
     found: list[str] = []
     for pid in pids:
         folder = f"/proc/{pid}/fd/"
@@ -20,7 +20,10 @@ def descriptors(pids: Iterable[int]) -> list[str]:
 
 
 def descriptors_watched(links: Iterable[str], enough: int) -> int:
-    """How many descriptors the epoll instances among `links` watch. Counting ends where it is more than `enough`."""
+    """Count the descriptors that the epoll instances among `links` watch.
+
+    Stop as soon as the count exceeds `enough`.
+    """
     watched = 0
     for link in links:
         with suppress(OSError):

@@ -1,6 +1,6 @@
-"""Finds the field of a message that holds a value of a wrong type, when rclpy fails on it.
+"""Find the message field with a wrong value after rclpy failed on it.
 
-The C part of a message says neither the field nor the value. Both are still in the frames of the traceback.
+The C part of a message reports neither the field nor the value. Both are still in the traceback's frames.
 """
 
 import re
@@ -12,10 +12,10 @@ from types import FrameType
 from typing import Any
 
 LONGEST_VALUE = 60
-"""Characters of a value that are quoted."""
+"""The most characters of a value that are quoted."""
 MOST_ELEMENTS = 2_000
 RAISED_FOR_A_VALUE = (TypeError, ValueError, AttributeError, AssertionError, OverflowError, SystemError)
-"""What the messages raise. A wrong value in a float field raises nothing, so another field is named first."""
+"""The exceptions that messages raise. A wrong value in a float field raises none, so other fields are named first."""
 _MESSAGE_FILE = re.compile(r"/(?:msg|srv)/_\w+\.py$")
 _MESSAGE_MODULE = re.compile(r"^\w+\.(?:msg|srv)\._\w+$")
 _NO_FIELD = re.compile(r"^'(?P<message>\w+)' object has no attribute '(?P<name>\w+)'")
@@ -26,7 +26,10 @@ _TEXT = re.compile(r"^w?string(?:<\d+>)?$")
 
 
 def note_of(error: BaseException) -> str:
-    """What was given to which field, as a line; empty when no field is to blame or anything here goes wrong."""
+    """Return a line that says which wrong value was assigned to which field.
+
+    Return an empty string if no field is to blame, or if this search fails.
+    """
     if not isinstance(error, RAISED_FOR_A_VALUE):
         return ""
     try:
@@ -36,7 +39,7 @@ def note_of(error: BaseException) -> str:
 
 
 def _fields_there_are(error: BaseException) -> str:
-    """The fields of a message that lacks the one that was asked for, the most similar ones first."""
+    """List a message's fields if it lacks the requested one, the most similar names first."""
     asked = _NO_FIELD.match(str(error)) if isinstance(error, AttributeError) else None
     kinds = [] if asked is None else _kinds(asked["message"], getattr(error, "obj", None))
     if asked is None or len(kinds) != 1:
@@ -50,9 +53,10 @@ def _fields_there_are(error: BaseException) -> str:
 
 
 def _kinds(name: str, owner: Any) -> list[Any]:
-    """The message classes of this name that may be meant: of `owner`, or else of all packages that are loaded.
+    """Return the message classes of this name: `owner`'s class, or else all matches in loaded packages.
 
-    When an attribute is read, Python tells whose it is, and not when it is set. rclpy has a Time as well.
+    Python's AttributeError names the owner when an attribute is read, but not when it's set. The name alone may be
+    ambiguous: rclpy has a class Time, too.
     """
     if owner is not None:
         return [type(owner)] if _fields(owner) else []
@@ -81,7 +85,7 @@ def _misfits_of(error: BaseException) -> Iterator[str]:
 
 
 def _given_to_a_message(frame: FrameType) -> Iterator[str]:
-    """What a message's constructor or the setter of a field was given."""
+    """Yield the values passed to a message's constructor or to a field's setter."""
     local = frame.f_locals
     message = local.get("self")
     kinds = _fields(message)
@@ -94,7 +98,7 @@ def _given_to_a_message(frame: FrameType) -> Iterator[str]:
 
 
 def misfits(message: Any, path: str = "") -> Iterator[str]:
-    """A line for each field of a message, or of a message in it, that holds a value of a wrong type."""
+    """Yield a line for each field with a value of a wrong type, in a message and the messages inside it."""
     for name, kind in _fields(message).items():
         yield from _misfit(type(message).__name__, f"{path}{name}", kind, getattr(message, name))
 

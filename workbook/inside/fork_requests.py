@@ -1,4 +1,4 @@
-"""What processes that fork others on request have in common: how requests come in, and how they are answered."""
+"""Receive requests and report results, for processes that fork others on request."""
 
 import json
 import os
@@ -11,16 +11,16 @@ REQUEST_BYTES = 100_000
 DESCRIPTORS = 4
 
 Request = tuple[dict[str, Any], list[int]]
-"""What is asked for, and the descriptors that came with it. The first one is for the answer."""
+"""The requested action, and the descriptors that came with it. The first one is for the reply."""
 
 
 def requests(
     channel: socket.socket, ended: int | None = None, look_after_ended: Callable[[], None] = lambda: None
 ) -> Iterator[Request]:
-    """Yield one request after another until the other end of the channel is closed.
+    """Yield the requests one by one until the other end of the channel is closed.
 
-    `ended` can be read when a child has ended; then `look_after_ended` is called. Whoever uses a request has to close
-    its descriptors.
+    `ended` becomes readable when a child ends; then `look_after_ended` is called. The caller must close a request's
+    descriptors.
     """
     while True:
         if ended is not None:
@@ -40,7 +40,7 @@ def requests(
 
 
 def report(status: int, text: str) -> bool:
-    """Write `text` to the process that made a request. Returns False when that process is gone."""
+    """Write `text` to the process that made a request. Return False if that process is gone."""
     try:
         os.write(status, text.encode())
     except OSError:

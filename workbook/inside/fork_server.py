@@ -1,18 +1,20 @@
-"""Starts answers by forking: Python and rclpy are imported once, and not again for every answer.
+"""Start answers by forking, so that Python and rclpy are loaded only once.
 
     python -P run.py fork_server CHANNEL
 
-CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
-descriptors: where to report the status of the program, and where its output goes. Two more may come: the open file by
-which the program joins its memory cgroup, because a path would stay in the memory of the program, and what it is to
-read. For each request, a supervisor is forked, and it forks the program, after joining the name spaces that were made
-for it, if there are any. Such a program is confined before a line of the answer is read: in these name spaces, without
-capabilities, with nothing open but its input and output. A program without name spaces of its own dies with its
-supervisor, and that with this process.
+CHANNEL is the file descriptor of an inherited socket. It carries requests (see `Request`), each with two descriptors:
+one for reporting the program's status, and one for its output. Two more are optional: an open file with which the
+program joins its memory cgroup, and the program's input. It's an open file because a path would stay in the program's
+memory.
 
-A request may also be for a branch (see `Branch`): another such server, forked into the sandbox of a slot.
+For each request, this process forks a supervisor. It joins the namespaces that were created for the program, if there
+are any, and forks the program. There, the program is confined before any of the answer is read: it has no capabilities,
+and only its input and output are open. A program without its own namespaces dies with its supervisor, which dies with
+this process.
 
-A program must not notice that something was imported before it. So the modules are kept in an `ImportCache`.
+A request may also be for a branch (see `Branch`), which is another fork server inside a slot's sandbox.
+
+A program must not notice modules that were imported earlier, so an `ImportCache` keeps them.
 """
 
 import contextlib
@@ -36,17 +38,17 @@ from workbook.inside.proc import own_environment_range
 
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
-"""Room for the mark of a program (see `RunMark`): blanks that whoever starts this process leaves in its environment."""
+"""The size of the blank space that this process's parent leaves in its environment for a mark (see `RunMark`)."""
 READY = b"ready"
 FAILED = 126
 
 
 @dataclass(frozen=True)
 class Request:
-    """One program to start, and what `host.main` and the program are given.
+    """A program to start, and the arguments for `host.main`.
 
-    `namespaces_of`: the first process of the sandbox to join; 0 for none. `reads`: whether the last descriptor is its
-    standard input.
+    `namespaces_of`: the first process of the sandbox to join; 0 for none. `reads`: whether the last descriptor is the
+    program's standard input.
     """
 
     namespaces_of: int
@@ -58,19 +60,18 @@ class Request:
 
 @dataclass(frozen=True)
 class Branch:
-    """Another server to fork, for one slot. It ends when the other end of its channel is closed.
+    """A request to fork another server, for one slot. It ends when the other end of its channel is closed.
 
-    `branch_in`: the first process of the sandbox that the slot is in.
+    `branch_in`: the first process of the slot's sandbox.
     """
 
     branch_in: int
 
 
 class RunMark:
-    """The variable by which others find a program, and all that came of it, among the processes of the machine.
+    """The environment variable that identifies a program and its descendants among the machine's processes.
 
-    The kernel goes on showing the environment that this process was started with, from its memory: there the mark has
-    to be written.
+    The kernel shows a process's original environment by reading it from memory, so we write the mark there.
     """
 
     def __init__(self) -> None:
@@ -79,7 +80,7 @@ class RunMark:
         self._address = begin + place + len(MARK) if place >= 0 else 0
 
     def write(self, mark: str) -> None:
-        """Show `mark` as the mark of this process. Raises ValueError when there is no room for it."""
+        """Write `mark` as this process's mark. Raises ValueError if it doesn't fit."""
         text = mark.encode()
         if not self._address or len(text) > MARK_BYTES:
             raise ValueError(f"there is no room for the mark {mark!r}")
@@ -88,7 +89,7 @@ class RunMark:
 
 @dataclass(frozen=True)
 class Hooks:
-    """What has to act when the server forks."""
+    """Objects that must act when the server forks."""
 
     lttng: LttngForkHooks
     mark: RunMark
@@ -99,8 +100,8 @@ def become_program(
 ) -> None:
     """Turn this forked process into the one that runs the answer. `group`: the open file of the cgroup to join.
 
-    `given`: what it reads; None for an empty input, opened here, because flags of an inherited one would be those of
-    all programs.
+    `given`: the program's input. If it's None, open an empty input here, because an inherited descriptor would share
+    its flags among all programs.
     """
     try:
         if group is not None:
@@ -115,7 +116,7 @@ def become_program(
         else:
             hooks.mark.write(request.environ[MARK.decode().rstrip("=")])
             die_with_parent(parent)
-        hooks.lttng.after_fork_in_program()  # only now: what it starts has no more rights than we
+        hooks.lttng.after_fork_in_program()  # only now, so that LTTng's threads have no more rights than we do
         os.setsid()
         os.chdir(request.folder)
         os.dup2(os.open(os.devnull, os.O_RDONLY) if given is None else given, 0)
@@ -130,10 +131,10 @@ def become_program(
 
 
 def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> None:
-    """In a fork: bring the program into its name spaces. Returns in the program; the supervisor itself ends here.
+    """Fork the program into its namespaces. This returns only in the program; the supervisor exits here.
 
-    It reports the program's process number, and how it ended (as `os.waitpid` has it) when it has. With a program in a
-    sandbox, all that it has started ends: the sandbox goes.
+    The supervisor reports the program's process id, and later its exit status (from `os.waitpid`). When a program in a
+    sandbox ends, the supervisor ends the sandbox, and with it all processes that the program started.
     """
     code = 1
     status, output, *others = descriptors
@@ -156,7 +157,7 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
             os.kill(program, signal.SIGKILL)
         _, ended = os.waitpid(program, 0)
         if request.namespaces_of:
-            # Whoever has ended the sandbox already has ended the program, too.
+            # if the sandbox has already ended, so has the program
             with contextlib.suppress(ProcessLookupError):
                 os.kill(request.namespaces_of, signal.SIGKILL)
         report(status, f"{ended}\n")
@@ -167,7 +168,7 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
 
 
 def _reap(*_: object) -> None:
-    """Take note of supervisors and branches that have ended."""
+    """Reap supervisors and branches that have ended."""
     try:
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass
@@ -176,7 +177,7 @@ def _reap(*_: object) -> None:
 
 
 def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socket:
-    """Turn this forked process into a server for one slot. Returns its channel."""
+    """Turn this forked process into a server for one slot. Return its channel."""
     channel = socket.socket(fileno=descriptor)
     try:
         set_parent_death_signal()
@@ -191,11 +192,11 @@ def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socke
 
 
 def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
-    """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
+    """Fork a program for each request. In a program, return its arguments; return None when the channel is closed."""
     for asked, descriptors in requests(channel):
         try:
             forked = hooks.lttng.fork()
-        except OSError as error:  # this one must not end all the others
+        except OSError as error:  # this error must not end the other programs
             report(descriptors[0], f"failed: {error}\n")
             forked = -1
         if forked == 0 and "branch_in" in asked:
@@ -211,8 +212,8 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Import what answers need, then fork a program for each request until the channel is closed."""
-    importlib.import_module("rclpy.context")  # as the host does for every answer
+    """Import everything that answers need. Then fork a program per request until the channel is closed."""
+    importlib.import_module("rclpy.context")  # the host does this for every answer
     cache = ImportCache()
     cache.fill(import_what_answers_need)
     sys.meta_path.insert(0, cache)

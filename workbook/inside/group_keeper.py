@@ -1,9 +1,9 @@
-"""Makes a memory cgroup for the groups of one grader, and removes it when the grader ends, however suddenly.
+"""Create a memory cgroup for a grading process, and remove it even if that process is killed.
 
     python -I -S run.py group_keeper FOLDER PREFIX
 
-It writes the path of the new group in FOLDER on its output, or why there is none, and waits until its input is closed:
-by the grader, or by the kernel when the grader has been killed. A lock on the group says that somebody keeps it.
+This process creates a group in FOLDER and prints its path, or else the error. Then it waits until its input is closed,
+either by the grading process or, after a kill, by the kernel. A lock on the group shows that it's in use.
 """
 
 import fcntl
@@ -16,11 +16,11 @@ from workbook.inside.memory_cgroup import divide_group, remove_group
 
 TRIES = 5
 LONGEST_REMOVAL_S = 30.0
-"""What still runs in it is being ended by others, too."""
+"""How long (s) the removal may take, because other processes may also be ending the group's processes."""
 
 
 def keep(folder: str, prefix: str) -> None:
-    """Make a group, wait, and remove it. Raises OSError when none can be made."""
+    """Create a group, wait, and remove the group. Raises OSError if it can't be created."""
     group, lock = make_locked(folder, prefix)
     try:
         divide_group(group)
@@ -32,9 +32,9 @@ def keep(folder: str, prefix: str) -> None:
 
 
 def make_locked(folder: str, prefix: str) -> tuple[str, int]:
-    """A new group, and its open file with the lock. Raises OSError."""
+    """Create a group and lock it. Return its path, and the open file that holds the lock. Raises OSError."""
     for _ in range(TRIES - 1):
-        with suppress(BlockingIOError, FileNotFoundError):  # swept by another grader before it was locked
+        with suppress(BlockingIOError, FileNotFoundError):  # another process removed it before we locked it
             return _make_locked_once(folder, prefix)
     return _make_locked_once(folder, prefix)
 
@@ -53,7 +53,7 @@ def _make_locked_once(folder: str, prefix: str) -> tuple[str, int]:
 
 
 def main(arguments: list[str]) -> None:
-    """Keep a group, with the arguments above. An interrupt is the grader's to obey."""
+    """Keep a group, with the arguments described above. Ignore interrupts, which are for the grading process."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     try:

@@ -1,14 +1,14 @@
-"""Runs one answer as the main program.
+"""Run one answer as the main program.
 
     python -P run.py host [--parent PID] [--attended] [--limit NAME=VALUE]... [--driver DRIVER.py]
         [--tap DOMAIN] ANSWER.py [...]
 
-Whatever reasonable shape an answer has is accepted. The file runs as `__main__`. Only if it ends normally and no
-context was ever initialized does the host help: it calls an argument-less `main()`, or else spins the one leaf
-Node subclass that the file defines.
+The file runs as `__main__`, and may have any reasonable form. If it ends normally without ever initializing a context,
+the host calls its `main()`, if that needs no arguments. Otherwise, it spins the file's leaf Node subclass, if there's
+exactly one.
 
-With a driver, that one runs as `__main__`, and the file is the module `answer`, which it imports. Before that, the host
-reads a key from standard input. The driver finds a function `sign` that signs what it reports (see `signer`).
+If there's a driver, it runs as `__main__`, and imports the file as the module `answer`. Before that, the host reads a
+key from standard input. It gives the driver a global function `sign` that signs reports (see `signer`).
 """
 
 import asyncio
@@ -28,14 +28,18 @@ from workbook.inside.libc import die_with_parent
 from workbook.inside.student_traceback import shown, take_over_threads, tell_who_stays, write
 
 SWITCH_INTERVAL_S = 1e-4
-"""While a handler waits for its thread, rclpy's MultiThreadedExecutor loops without a pause. With the 5 ms that Python
-gives a thread it would keep the others from their work again and again: counts came out wrong, and checks took 20 s."""
+"""The interval (s) at which Python switches threads.
+
+While a handler waits for its thread, rclpy's MultiThreadedExecutor busy-waits. With Python's default of 5 ms, it would
+delay the other threads again and again. As a result, counts were wrong, and checks took 20 s.
+"""
 MOST_KEY_BYTES = 64
 BEHIND_THE_KEY = bytes(512)
-"""When the hash has been given so many bytes, it has mixed in its first blocks, which hold the key, and reused their
-memory."""
+"""Padding to hash after the key. After so many bytes, the hash has processed the blocks that contain the key, and has
+overwritten them in its buffer.
+"""
 LONGEST_REPORT = 2_000
-"""Characters of a report. A text that is too long is cut in recordings, and its signature does not fit any more."""
+"""The most characters of a report. Recordings truncate longer texts, and then the signature no longer matches."""
 LIMITS = {
     "memory": resource.RLIMIT_AS,
     "processes": resource.RLIMIT_NPROC,
@@ -48,7 +52,7 @@ LIMITS = {
 
 
 def end_if_nobody_reads() -> None:
-    """End this process if the reader of its output is gone: it was killed before the sandbox was set to die with it."""
+    """End this process if its output has no reader: the reader was killed before the sandbox was tied to it."""
     pipe = select.poll()
     pipe.register(1, 0)
     if any(event & select.POLLERR for _, event in pipe.poll(0)):
@@ -56,9 +60,9 @@ def end_if_nobody_reads() -> None:
 
 
 def apply_limit(text: str) -> None:
-    """Set a limit, given as NAME=VALUE, that the program cannot raise.
+    """Set a limit, given as NAME=VALUE, that the program can't raise.
 
-    For processor time the hard limit is one second higher, so that SIGXCPU comes before SIGKILL.
+    For CPU time, the hard limit is one second higher, so that SIGXCPU comes before SIGKILL.
     """
     name, value = text.split("=")
     _, hard = resource.getrlimit(LIMITS[name])
@@ -70,7 +74,7 @@ def apply_limit(text: str) -> None:
 
 
 def watch_contexts() -> list[object]:
-    """Return a list that grows by one whenever any rclpy context is initialized."""
+    """Return a list that grows by one item whenever an rclpy context is initialized."""
     from rclpy.context import Context
 
     started: list[object] = []
@@ -86,7 +90,7 @@ def watch_contexts() -> list[object]:
 
 
 def callable_without_arguments(function: object) -> bool:
-    """Whether this is a Python function that needs no arguments."""
+    """Return whether this is a Python function that can be called without arguments."""
     if not inspect.isfunction(function):
         return False
     try:
@@ -97,7 +101,7 @@ def callable_without_arguments(function: object) -> bool:
 
 
 def leaf_node_classes(module: types.ModuleType) -> list[type]:
-    """Node subclasses that this file defines, apart from those that are only bases of another one here."""
+    """Return the Node subclasses that this file defines, except those with a subclass in this file."""
     from rclpy.node import Node
 
     own = [
@@ -110,7 +114,7 @@ def leaf_node_classes(module: types.ModuleType) -> list[type]:
 
 
 def spin_class(node_class: type) -> None:
-    """Initialize ROS, make one node of this class, and spin it until Ctrl-C or a shutdown."""
+    """Initialize ROS, create one node of this class, and spin it until Ctrl-C or a shutdown."""
     import rclpy
     from rclpy.executors import ExternalShutdownException
 
@@ -124,7 +128,7 @@ def spin_class(node_class: type) -> None:
 
 
 def help_along(module: types.ModuleType) -> None:
-    """Call the file's `main()` if it needs no arguments; otherwise spin its leaf Node subclass if there is only one."""
+    """Call the file's `main()` if it needs no arguments. Otherwise, spin its leaf Node subclass, if unique."""
     main = getattr(module, "main", None)
     if inspect.iscoroutinefunction(main) and callable_without_arguments(main):
         asyncio.run(main())
@@ -137,24 +141,24 @@ def help_along(module: types.ModuleType) -> None:
 
 
 def student_traceback(error: BaseException) -> str:
-    """The traceback without this host, a driver that imported the file, and what reports to the panel."""
+    """Format the traceback without the frames of this host, of a driver, and of the reporting to the panel."""
     return shown(error, lambda frame: frame.filename == __file__ and frame.name == "exec_module")
 
 
 def was_interrupted(error: BaseException | None) -> bool:
-    """Whether Ctrl-C came: it has left the program, or rclpy has shut the context down."""
+    """Return whether Ctrl-C was pressed: the program didn't catch it, or rclpy has shut the context down."""
     rclpy = sys.modules.get("rclpy")
     return isinstance(error, KeyboardInterrupt) or (rclpy is not None and not rclpy.ok())
 
 
 def compiled(path: str) -> types.CodeType:
-    """The code of a file. Raises SyntaxError."""
+    """Compile a file. Raises SyntaxError."""
     with open(path, "rb") as file:
         return compile(file.read(), path, "exec", dont_inherit=True)
 
 
 def execute(path: str, **given: object) -> types.ModuleType:
-    """Run the file as `__main__`, with what it is `given` as globals."""
+    """Run the file as `__main__`, with `given` as additional globals. Return the module."""
     module = types.ModuleType("__main__")
     module.__file__ = path
     module.__dict__.update(given, __builtins__=__builtins__)
@@ -165,30 +169,31 @@ def execute(path: str, **given: object) -> types.ModuleType:
 
 
 class AnswerFinder:
-    """For `sys.meta_path`, and a loader: the answer as the module `answer`."""
+    """A finder for `sys.meta_path`, and loader, that provides the answer as the module `answer`."""
 
     def __init__(self, path: str) -> None:
         self.path = path
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Part of the import protocol: the answer; None for all other names."""
+        """Find the answer, as part of the import protocol; None for all other names."""
         return ModuleSpec(name, self, origin=self.path) if name == "answer" else None  # type: ignore[arg-type]
 
     def create_module(self, spec: ModuleSpec) -> None:
-        """Part of the import protocol: None asks for an ordinary module."""
+        """Return None to request an ordinary module, as part of the import protocol."""
 
     def exec_module(self, module: types.ModuleType) -> None:
-        """Part of the import protocol: run the answer's code in its module."""
+        """Run the answer's code in its module, as part of the import protocol."""
         module.__file__ = self.path
         exec(compiled(self.path), module.__dict__)
 
 
 def signer() -> Callable[[str, str], str]:
-    """A function that signs a report for a topic: it returns a number, a signature, and the text, with blanks between.
-    Without a key it returns the text.
+    """Return a function that signs a report for a topic.
 
-    It takes the key from standard input, which is empty from then on. It keeps a hash that has taken in the key, not
-    the key itself. Code in this process can still find and call the function.
+    That function returns a number, a signature, and the text, separated by blanks. Without a key, it returns the text.
+
+    The key is read from standard input, which is empty from then on. The function stores only a hash state that
+    includes the key, not the key itself. But code in this process can still find and call the function.
     """
     from hashlib import blake2b
 
@@ -205,7 +210,7 @@ def signer() -> Callable[[str, str], str]:
         return lambda topic, text: text
 
     def sign(topic: str, text: str) -> str:
-        """What to publish on `topic` for `text`, which loses what a message cannot carry."""
+        """Return the signed text to publish on `topic`, without characters that a message can't carry."""
         text = text[:LONGEST_REPORT].replace("\0", " ").encode(errors="backslashreplace").decode()
         number, mine = next(numbers), keyed.copy()
         mine.update(f"{topic}\n{number}\n{text}".encode())
@@ -215,7 +220,7 @@ def signer() -> Callable[[str, str], str]:
 
 
 def run(path: str) -> None:
-    """Run the file as `__main__`; if it never initializes a context, see `help_along`."""
+    """Run the file as `__main__`. If it never initializes a context, call `help_along`."""
     started = watch_contexts()
     module = execute(path)
     if not started:
@@ -223,14 +228,14 @@ def run(path: str) -> None:
 
 
 def run_with_driver(path: str, driver: str) -> None:
-    """Run the driver as `__main__`. It imports the answer when it is ready for that."""
+    """Run the driver as `__main__`. The driver imports the answer when it's ready."""
     sign = signer()
     sys.meta_path.insert(0, AnswerFinder(path))
     execute(driver, sign=sign)
 
 
 def obey(options: list[str]) -> tuple[str | None, list[str]]:
-    """Do as the options at the front say. Returns the driver, if there is one, and the program with its arguments."""
+    """Apply the options at the front. Return the driver, or None, and the program with its arguments."""
     driver = None
     while options and options[0] in (
         "--parent",
@@ -258,12 +263,12 @@ def obey(options: list[str]) -> tuple[str | None, list[str]]:
 
 
 def main(arguments: list[str]) -> None:
-    """Run the program that the command line names. Exits with code 1 after an exception, 130 after Ctrl-C."""
+    """Run the program from the command line. Exit with code 1 after an exception, or 130 after Ctrl-C."""
     driver, program = obey(arguments)
     path = program[0]
     sys.argv = program
     sys.setswitchinterval(SWITCH_INTERVAL_S)
-    # Whoever started us may ignore Ctrl-C (a slot does), and a program inherits that. In a terminal it would not.
+    # A parent that ignores Ctrl-C, such as a slot, passes that on. In a terminal, the program wouldn't ignore it.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     take_over_threads(student_traceback)
     error: BaseException | None = None

@@ -1,4 +1,4 @@
-"""Modules that are imported once and stay out of sight, until a program imports them itself."""
+"""Import modules once, and hide them until a program imports them itself."""
 
 import builtins
 import importlib.util
@@ -19,8 +19,8 @@ WARMED = (
     "rosgraph_msgs.msg",
     "std_msgs.msg",
     "std_srvs.srv",
-    "numpy",  # every first node imports it: messages with arrays need it
-    "rosidl_generator_py",  # every first type support imports it, and with it a parser of grammars
+    "numpy",  # imported by every first node, because messages with arrays need it
+    "rosidl_generator_py",  # imported by every first type support, along with a grammar parser
 )
 TYPE_SUPPORT = (
     "builtin_interfaces",
@@ -31,14 +31,14 @@ TYPE_SUPPORT = (
     "std_srvs",
     "type_description_interfaces",
 )
-"""Packages whose compiled part is loaded when the first node, publisher, subscription or service is made."""
+"""Packages whose compiled part is loaded when the first node, publisher, subscription, or service is created."""
 CHECKS = "ros_python_check_fields"
 
 
 class ImportCache:
-    """Modules that are loaded but not in `sys.modules`: an import puts them there, as if it had loaded them then.
+    """Keeps loaded modules outside of `sys.modules`. Importing one adds it there, as if it had just been loaded.
 
-    What a module imports at its top is put there with it, so that the same names appear as in a fresh Python.
+    The modules that it imports at its top level are added, too, so the same names appear as in a fresh Python.
     """
 
     def __init__(self) -> None:
@@ -46,7 +46,7 @@ class ImportCache:
         self._imports: dict[str, dict[str, None]] = {}
 
     def fill(self, load: Callable[[], object]) -> None:
-        """Call `load`, and take all modules out of sight that it imports."""
+        """Call `load`, and hide all modules that it imports."""
         before = set(sys.modules)
         original = builtins.__import__
 
@@ -82,7 +82,7 @@ class ImportCache:
         self._imports.setdefault(who, {}).update(dict.fromkeys(wanted))
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """For `sys.meta_path`: a module of the cache."""
+        """Find a cached module, for `sys.meta_path`."""
         module = self._modules.get(name)
         if module is None:
             return None
@@ -91,16 +91,19 @@ class ImportCache:
         return spec
 
     def create_module(self, spec: ModuleSpec) -> types.ModuleType:
-        """Part of the import protocol: the cached module instead of a new one."""
+        """Return the cached module instead of a new one, as part of the import protocol."""
         return self._modules[spec.name]
 
     def exec_module(self, module: types.ModuleType) -> None:
-        """Part of the import protocol: restore the module's own spec, then import what it imports at its top."""
+        """Restore the module's original spec, and then import the modules that it imports at its top level.
+
+        This is part of the import protocol.
+        """
         spec = module.__spec__
         assert spec is not None
         module.__spec__ = spec.loader_state
         del self._modules[spec.name]
-        if hasattr(module, CHECKS):  # a message module asks for this when it is loaded
+        if hasattr(module, CHECKS):  # message modules read this variable when they're loaded
             setattr(module, CHECKS, os.environ.get("ROS_PYTHON_CHECK_FIELDS", ""))
         for name in self._imports.get(spec.name, ()):
             if name not in sys.modules and name in self._modules:
@@ -108,7 +111,7 @@ class ImportCache:
 
 
 def _compiled_module_being_loaded() -> str | None:
-    """Whose import a compiled module makes while it is loaded: the import system seems to ask for it itself."""
+    """Return which compiled module is being loaded, because its imports seem to come from the import system."""
     frame: types.FrameType | None = sys._getframe()
     while frame is not None:
         spec = frame.f_locals.get("spec")
@@ -119,9 +122,10 @@ def _compiled_module_being_loaded() -> str | None:
 
 
 def import_what_answers_need() -> None:
-    """Import rclpy, what the first node loads, and the messages that most answers use.
+    """Import rclpy, the modules that the first node loads, and the messages that most answers use.
 
-    Not the middleware: which one it is, a program may choose with RMW_IMPLEMENTATION until it makes a context.
+    The middleware isn't imported, because a program may still choose one (RMW_IMPLEMENTATION) before it creates a
+    context.
     """
     for name in WARMED:
         importlib.import_module(name)
@@ -131,8 +135,9 @@ def import_what_answers_need() -> None:
 
 
 def _look_up_their_files() -> None:
-    """Let `inspect` note where each module comes from, which it does at the first look for one that it cannot find.
+    """Let `inspect` cache the modules' files, which it does after its first failed search.
 
-    rclpy asks it who logs. For the first line of a log that means several thousand system calls.
+    rclpy uses `inspect` to find a logger's caller. Without the cache, the first log line would make several thousand
+    system calls.
     """
     inspect.getmodule(compile("", "nowhere", "exec"))

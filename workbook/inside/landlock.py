@@ -1,4 +1,4 @@
-"""Landlock: hiding the files of the machine from this process, for good."""
+"""Hide the machine's files from this process with Landlock, permanently."""
 
 import ctypes
 import os
@@ -19,7 +19,7 @@ MAKE_DEVICES = 1 << 6 | 1 << 11
 TRUNCATE, IOCTL_DEV = 1 << 14, 1 << 15
 FILE_RIGHTS = EXECUTE | WRITE_FILE | READ_FILE | TRUNCATE | IOCTL_DEV
 FS_RIGHTS_OF_ABI = {1: 13, 2: 14, 3: 15, 4: 15, 5: 16}
-"""How many rights over files each version of Landlock knows; later versions know those of the last one here."""
+"""The number of file rights in each Landlock version. Later versions have at least the last one's rights."""
 TCP_RIGHTS = 0b11
 SCOPES = 0b11
 """Signals, and sockets with abstract names."""
@@ -30,7 +30,7 @@ class _Ruleset(ctypes.Structure):
 
 
 def landlock_abi() -> int:
-    """The version of Landlock that this kernel speaks; 0 where there is none, or where it is switched off."""
+    """Return the Landlock version that this kernel supports; 0 if it has none or it's disabled."""
     version = libc.syscall(
         SYS_LANDLOCK_CREATE_RULESET, None, ctypes.c_size_t(0), LANDLOCK_CREATE_RULESET_VERSION
     )
@@ -45,7 +45,7 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
     try:
         if not stat.S_ISDIR(os.fstat(place).st_mode):
             rights &= FILE_RIGHTS
-        rule = struct.pack("=Qi", rights, place)  # struct landlock_path_beneath_attr, which is packed
+        rule = struct.pack("=Qi", rights, place)  # struct landlock_path_beneath_attr, without padding
         checked(
             f"Landlock and {path}",
             libc.syscall(SYS_LANDLOCK_ADD_RULE, ruleset, LANDLOCK_RULE_PATH_BENEATH, rule, 0),
@@ -55,9 +55,9 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
 
 
 def restrict_to(read: list[str], write: list[str]) -> None:
-    """Hide all files but these, for good; keep signals and TCP inside where the kernel can.
+    """Hide all files except these, permanently. If the kernel supports it, also block signals and TCP to the outside.
 
-    Needs `drop_capabilities`. Raises OSError where there is no Landlock.
+    Call `drop_capabilities` first. Raises OSError if there's no Landlock.
     """
     abi = landlock_abi()
     if abi == 0:

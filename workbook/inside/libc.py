@@ -1,4 +1,4 @@
-"""Calls into the C library that Python has no function for."""
+"""Call functions of the C library that Python doesn't provide."""
 
 import ctypes
 import os
@@ -10,7 +10,7 @@ libc = ctypes.CDLL(None, use_errno=True)
 
 
 def checked(what: str, result: int) -> int:
-    """The result of a call into the C library. Raises OSError, with `what` was tried, when it has failed."""
+    """Return the result of a C library call. If it failed, raise OSError with `what` as its description."""
     if result < 0:
         number = ctypes.get_errno()
         raise OSError(number, f"{what}: {os.strerror(number)}")
@@ -23,7 +23,7 @@ def set_parent_death_signal(number: signal.Signals = signal.SIGKILL) -> None:
 
 
 def die_with_parent(parent: int) -> None:
-    """Be killed when the process `parent` ends; end at once if it has ended already."""
+    """Let the kernel kill this process when the process `parent` ends. If it has already ended, exit right away."""
     set_parent_death_signal()
     if os.getppid() != parent:
         os._exit(1)

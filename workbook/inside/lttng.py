@@ -1,4 +1,4 @@
-"""LTTng, which rclpy's wheels load, and the forks of this process."""
+"""Prepare LTTng, which rclpy's wheels load, for forks of this process."""
 
 import ctypes
 import os
@@ -9,10 +9,11 @@ SIGSET_BYTES = 128
 
 
 class LttngForkHooks:
-    """Tells LTTng of each fork.
+    """Notifies LTTng of each fork.
 
-    It has two threads, which a forked process does not get. Unless it is told so (what `liblttng-ust-fork` is for), at
-    the program's end it cancels whatever threads have their place by then, and the program may hang.
+    LTTng has two threads, which a forked process doesn't inherit. Its library `liblttng-ust-fork` exists to handle
+    that. Without it, when the program ends, LTTng cancels whichever threads have replaced its own, and the program may
+    hang.
     """
 
     def __init__(self) -> None:
@@ -22,7 +23,7 @@ class LttngForkHooks:
         self._signals = ctypes.create_string_buffer(SIGSET_BYTES)
 
     def fork(self) -> int:
-        """As `os.fork`; call `after_fork_in_program` in the forked process. Raises OSError when there is none."""
+        """Fork like `os.fork`. The child must call `after_fork_in_program`. Raises OSError if that fails."""
         if self._library is not None:
             self._library.ust_before_fork(self._signals)  # blocks all signals
         pid = -1
@@ -34,6 +35,6 @@ class LttngForkHooks:
         return pid
 
     def after_fork_in_program(self) -> None:
-        """Start LTTng's threads anew; call right after the fork in the forked process."""
+        """Restart LTTng's threads. Call this in the forked process, right after the fork."""
         if self._library is not None:
             self._library.ust_after_fork_child(self._signals)

@@ -1,10 +1,10 @@
-"""Notes how the messages and ticks of some nodes come to their callbacks: arrived, waited, taken, called, ended.
+"""Record how messages and timer ticks reach the callbacks of some nodes: arrived, waited, taken, called, ended.
 
-While a `MachineTap` is open it stands between rclpy's executors and what they wait for, in this process only. All times
-are the system clock's, in ns, as DDS stamps messages. `notes()` gives plain data that JSON can hold.
+While a `MachineTap` is open, it wraps rclpy's executors and their sources in this process. All times are in ns on the
+system clock, like DDS's time stamps. `notes()` returns plain data for JSON.
 
-As a driver (``ANSWER.py FILE SECONDS NODE``) it runs the `main()` of another program, and writes the notes of its node
-to FILE once the node has spun for so many seconds.
+As a driver (``ANSWER.py FILE SECONDS NODE``), this file runs another program's `main()`. Once the node has spun for
+that many seconds, it writes the node's notes to FILE.
 """
 
 import importlib
@@ -24,12 +24,12 @@ MATCHED_WITHIN_S = 5.0
 POLL_S = 0.01
 KINDS = ("subscription", "timer", "client", "service")
 OF_RCLPY = ("parameters", "parameters_atomically", "parameter_types", "get_type_description")
-"""How services end that every node has."""
+"""The endings of services that rclpy creates for every node."""
 Note = dict[str, Any]
 
 
 class _Watched:
-    """A coroutine that says when it pauses and goes on: an `await` in a callback gives its thread back."""
+    """A coroutine that records when it pauses and resumes, because an `await` in a callback frees its thread."""
 
     def __init__(self, awaited: Awaitable[Any], call: Note) -> None:
         self._awaited, self._call = awaited, call
@@ -52,7 +52,7 @@ class _Watched:
 
 
 class MachineTap:
-    """Watches nodes while it is open; use it as a context manager. `nodes`: more can be added with `watch`."""
+    """Watches nodes while it's open. Use it as a context manager. To add more nodes, call `watch`."""
 
     def __init__(self, nodes: Iterable[Any] = (), *, drain: bool = False) -> None:
         self.began: int | None = None
@@ -76,7 +76,7 @@ class MachineTap:
             self.watch(node)
 
     def watch(self, node: Any) -> None:
-        """Watch what this node has by now. Returns once the copies of its subscriptions have found their publishers."""
+        """Watch a node's current entities. Return once the copies of its subscriptions have found their publishers."""
         self._nodes.append(node)
         for kind, found in _entities_of(node):
             place = len(self._entities)
@@ -92,7 +92,7 @@ class MachineTap:
             time.sleep(POLL_S)
 
     def _shadow(self, place: int, subscription: Any, node: Any) -> None:
-        """A second subscription that keeps all that comes: of a message that is thrown away, rclpy says nothing."""
+        """Create a second subscription that keeps all messages, because rclpy doesn't report dropped ones."""
         from rclpy.node import Node
         from rclpy.qos import QoSProfile
 
@@ -138,7 +138,7 @@ class MachineTap:
             self._shadow_node = None
 
     def stop(self) -> None:
-        """Note nothing more. What waits in the queues now is part of the notes."""
+        """Stop recording. Messages that are still in the queues become part of the notes."""
         if self.ended is not None:
             return
         self.ended = time.time_ns()
@@ -179,7 +179,7 @@ class MachineTap:
         return take
 
     def _stamping(self, original: Any) -> Any:
-        """Keep the time stamps of what is taken for the call that it leads to."""
+        """Keep an item's time stamps for the callback that it leads to."""
         kept = self._taken
 
         def take(handle: Any, *wanted: Any) -> Any:
@@ -218,7 +218,7 @@ class MachineTap:
         return wait
 
     def _spinning(self, original: Any) -> Any:
-        """Which executor serves a watched node, and from which thread."""
+        """Record which executor serves a watched node, and mark the thread that waits for it."""
 
         def wait_for_ready_callbacks(executor: Any, *args: Any, **named: Any) -> Any:
             if not any(node in self._nodes for node in executor.get_nodes()):
@@ -233,7 +233,10 @@ class MachineTap:
         return wait_for_ready_callbacks
 
     def _look_into_queues(self) -> None:
-        """Note what came and was not taken. The copies have all messages; responses are taken if `drain` is set."""
+        """Record the messages that arrived but weren't taken.
+
+        The copies of the subscriptions have all messages. Responses are taken only if `drain` is set.
+        """
         for place, shadow in self._shadows.items():
             with shadow.handle:
                 while (found := shadow.handle.take_message(shadow.msg_type, True)) is not None:
@@ -253,7 +256,7 @@ class MachineTap:
             self._arrivals.setdefault(place, {})[stamps[0]] = stamps[1]
 
     def notes(self) -> Note:
-        """All that was noted, as plain data."""
+        """Return everything that was recorded, as plain data."""
         return {
             "began": self.began,
             "ended": self.ended,
@@ -270,11 +273,14 @@ class MachineTap:
 
 
 def _nothing(message: Any) -> None:
-    """The callback of a copy: nobody spins it."""
+    """Ignore a message from a copied subscription, which is never spun."""
 
 
 def _entities_of(node: Any) -> list[tuple[str, Any]]:
-    """What of a node an executor waits for, without what rclpy itself makes for every node."""
+    """Return a node's entities that an executor waits for.
+
+    Leave out the entities that rclpy creates for every node.
+    """
     named = [
         ("subscription", [one for one in node.subscriptions if one.topic_name != "/parameter_events"]),
         ("timer", node.timers),
@@ -313,7 +319,10 @@ def _described_executor(executor: Any) -> Note:
 
 
 def _due(entity: Any) -> int | None:
-    """When a timer is due next (ns), in the past if it is late; None for what is no timer, and for a canceled one."""
+    """Return when a timer is due next (ns); the time is in the past if the timer is overdue.
+
+    Return None for other entities, and for a canceled timer.
+    """
     if not hasattr(entity.handle, "time_until_next_call"):
         return None
     left = entity.handle.time_until_next_call()
@@ -321,7 +330,7 @@ def _due(entity: Any) -> int | None:
 
 
 def _stamps(found: Any) -> tuple[int, int] | None:
-    """When something taken was sent and when it was received (ns), from what DDS says about it."""
+    """Return when an item was sent and received (ns), according to DDS; None if that's unknown."""
     for part in found or ():
         if isinstance(part, dict):
             return part["source_timestamp"], part["received_timestamp"]
@@ -331,7 +340,7 @@ def _stamps(found: Any) -> tuple[int, int] | None:
 
 
 def _run_and_write(file: str, seconds: float, name: str) -> None:
-    """Run `answer.main()`. Once its node spins, watch it for a while, and write the notes of it."""
+    """Run `answer.main()`. Once the node spins, watch it for `seconds` s, and then write its notes."""
     from rclpy.executors import Executor
 
     answer = importlib.import_module("answer")

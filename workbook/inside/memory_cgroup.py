@@ -1,4 +1,4 @@
-"""Memory cgroups as files of the kernel: joining one, and removing those of a slot with whatever is left in them.
+"""Use memory cgroups through the kernel's files: join a group, and remove groups along with their processes.
 
 Source: https://docs.kernel.org/admin-guide/cgroup-v1/memory.html and https://docs.kernel.org/admin-guide/cgroup-v2.html
 """
@@ -17,33 +17,33 @@ _POLL_S = 0.002
 
 
 def open_group(joins: str) -> int:
-    """Open the file by which a process joins a group. Raises OSError."""
+    """Open the file with which a process joins a group. Raises OSError."""
     return os.open(joins, os.O_WRONLY | os.O_CLOEXEC)
 
 
 def join(descriptor: int) -> None:
-    """Move this process, which must not have other threads, into the group of an open file. Raises OSError."""
+    """Move this process into the group of an open file. It must not have other threads. Raises OSError."""
     os.write(descriptor, b"0")
 
 
 def hide_group() -> None:
-    """The path of its group tells a program nothing: this process sees its group as the uppermost. Raises OSError."""
+    """Hide the group's path, so that this process sees its own group as the root. Raises OSError."""
     checked("unshare", libc.unshare(CLONE_NEWCGROUP))
 
 
 def version_of(group: str) -> int:
-    """1 or 2, by the files of a group."""
+    """Return the cgroup version, 1 or 2, judging by the group's files."""
     return 2 if os.path.exists(f"{group}/cgroup.controllers") else 1
 
 
 def divide_group(group: str) -> None:
-    """Let the groups below one count memory, which version 2 does only when told to. Raises OSError."""
+    """Let the group's subgroups count memory, which version 2 must be told to do. Raises OSError."""
     if version_of(group) == 2:
         write(f"{group}/cgroup.subtree_control", "+memory")
 
 
 def write(path: str, text: str) -> None:
-    """Write to a file of the kernel, which must be there. Raises OSError."""
+    """Write to an existing file of the kernel. Raises OSError."""
     descriptor = os.open(path, os.O_WRONLY)
     try:
         os.write(descriptor, text.encode())
@@ -52,7 +52,7 @@ def write(path: str, text: str) -> None:
 
 
 def processes_in(group: str) -> list[int]:
-    """The processes of a group; none when it is gone."""
+    """Return the processes in a group; none if it's gone."""
     try:
         with open(f"{group}/{PROCESSES}") as file:
             return [int(line) for line in file]
@@ -61,7 +61,7 @@ def processes_in(group: str) -> list[int]:
 
 
 def groups_in(folder: str) -> list[str]:
-    """The groups below a group; none when it is gone."""
+    """Return the subgroups of a group; none if it's gone."""
     try:
         with os.scandir(folder) as entries:
             return [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
@@ -70,7 +70,7 @@ def groups_in(folder: str) -> list[str]:
 
 
 def remove_group(group: str, patience_s: float = LONGEST_REMOVAL_S) -> bool:
-    """Kill what runs in a group and below it, and remove all of it. Returns whether it is gone."""
+    """Kill all processes in a group and its subgroups, and remove the groups. Return whether it's gone."""
     deadline = time.monotonic() + patience_s
     while True:
         for below in groups_in(group):

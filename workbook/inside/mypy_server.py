@@ -1,10 +1,10 @@
-"""Runs mypy again and again: it is imported once, and each run is a fork.
+"""Run mypy repeatedly. It's imported only once, and each run is a fork.
 
     python -P run.py mypy_server CHANNEL
 
-CHANNEL is the number of an inherited socket. On it comes one `Run` after another, each with two descriptors: for what
-mypy says, and for its complaints. What comes back is how it ended, as `os.waitpid` has it. When the channel is closed,
-this process ends, and with it a run that is under way.
+CHANNEL is the file descriptor of an inherited socket. It carries one `Run` after another, each with two descriptors:
+for mypy's findings, and for its errors. The reply is mypy's exit status (from `os.waitpid`). When the channel is
+closed, this process ends, along with a running mypy.
 """
 
 import gc
@@ -29,7 +29,7 @@ FAILED = 3
 
 @dataclass(frozen=True)
 class Run:
-    """One run of mypy: its arguments, where it runs and in which environment, and what it may use (s, bytes)."""
+    """One run of mypy: its arguments, working directory, environment, and limits on CPU time (s) and memory (bytes)."""
 
     arguments: list[str]
     folder: str
@@ -39,7 +39,7 @@ class Run:
 
 
 def become_mypy(run: Run, parent: int, outputs: Sequence[int]) -> NoReturn:
-    """Turn this forked process into one that runs mypy."""
+    """Turn this forked process into one that runs mypy, and exit with its code."""
     code = FAILED
     try:
         set_parent_death_signal()
@@ -65,11 +65,11 @@ def become_mypy(run: Run, parent: int, outputs: Sequence[int]) -> NoReturn:
 
 
 def ended(child: int, channel: socket.socket) -> int | None:
-    """Wait until `child` has ended, and say how. None when nobody wants to know any more: then it was killed."""
+    """Wait until `child` has ended, and return its status. If the channel is closed first, kill it and return None."""
     watched = select.poll()
     handle = os.pidfd_open(child)
     watched.register(handle, select.POLLIN)
-    watched.register(channel, select.POLLIN)  # nothing is sent meanwhile: it can only be closed
+    watched.register(channel, select.POLLIN)  # nothing is sent in the meantime: it can only be closed
     ready = [descriptor for descriptor, _ in watched.poll()]
     os.close(handle)
     if handle not in ready:

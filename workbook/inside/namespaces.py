@@ -1,4 +1,4 @@
-"""Entering the name spaces of a sandbox that bubblewrap has made."""
+"""Enter the namespaces of a sandbox that bubblewrap created."""
 
 import os
 
@@ -8,16 +8,16 @@ from workbook.inside.libc import checked, libc
 NEWNS, NEWCGROUP, NEWUTS = 0x00020000, 0x02000000, 0x04000000
 NEWIPC, NEWUSER, NEWPID, NEWNET = 0x08000000, 0x10000000, 0x20000000, 0x40000000
 OF_A_PROGRAM = NEWUSER | NEWNS | NEWPID | NEWIPC | NEWUTS | NEWCGROUP
-"""Those of the inner sandbox. The network is that of the observer, as for any answer."""
+"""The inner sandbox's namespaces. The network isn't one of them, so a program uses the observer's network."""
 OF_A_SLOT = NEWUSER | NEWNS | NEWIPC | NEWNET
-"""Those of the outer sandbox."""
+"""The outer sandbox's namespaces."""
 
 
 def join_namespaces(first: int, spaces: int) -> None:
-    """Enter name spaces of the process `first`; a process space takes effect for children. Raises OSError.
+    """Enter namespaces of the process `first`. A PID namespace takes effect only for children. Raises OSError.
 
-    All at once: a process may enter name spaces that its own user has made, and has no rights outside afterwards. Only
-    for a process with a single thread.
+    A process may enter namespaces that its own user created, if it enters them all in one call. Afterward, it has no
+    rights outside. The process must have only one thread.
     """
     descriptor = os.pidfd_open(first)
     try:
@@ -27,9 +27,9 @@ def join_namespaces(first: int, spaces: int) -> None:
 
 
 def settle_in_slot(first: int) -> None:
-    """Enter the outer sandbox whose first process is `first`, with the rights of whoever bubblewrap starts in it.
+    """Enter the outer sandbox whose first process is `first`, with the same rights as bubblewrap's processes there.
 
-    Those of root remain, within the sandbox: without them it could not make a sandbox in it. Raises OSError.
+    Within the sandbox, it keeps root's rights, because it needs them to create another sandbox inside. Raises OSError.
     """
     bounds = bounding_set()
     join_namespaces(first, OF_A_SLOT)

@@ -1,4 +1,4 @@
-"""Programs that outlive the process which started them: who adopts them, and how they end."""
+"""Adopt and end processes that outlive the process that started them."""
 
 import os
 import signal
@@ -17,34 +17,34 @@ _exempt: set[int] = set()
 
 
 class StillThere(RuntimeError):
-    """Programs do not end, or may not be ended. Says which."""
+    """Some processes don't end, or may not be killed. The message says which."""
 
 
 def adopt_orphans() -> None:
-    """Daemons that a program leaves behind become children of this process, so that it can end them."""
+    """Let this process adopt the daemons that a program leaves behind, so that it can end them."""
     libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
 def exempt(pid: int) -> None:
-    """No sweep is to end this child of ours, nor what it has started."""
+    """Exclude a child of ours, and its descendants, from every sweep."""
     _exempt.add(pid)
 
 
 def forget(pid: int) -> None:
-    """This child has ended: its number may come again."""
+    """Forget a child that has ended, because its process id may be reused."""
     _exempt.discard(pid)
 
 
 def forget_all() -> None:
-    """In a fork of this process: its children are none of ours."""
+    """Forget all children. Call this in a fork of this process, because they aren't the fork's own."""
     _exempt.clear()
 
 
 def sweep_orphans() -> int:
-    """Kill and reap every process that is left below this one and is not exempt. Returns how many there were.
+    """Kill and reap all our descendants that aren't exempt. Return how many there were.
 
-    Each is stopped as soon as it is seen, and only when no new one is found they are killed: what does not run cannot
-    fork away. Raises StillThere after twenty seconds, when new ones still come faster than they can be stopped.
+    Each process is stopped as soon as it's found, because a stopped process can't fork. When no new process is found,
+    all of them are killed. Raises StillThere if new ones still appear after 20 s, faster than they can be stopped.
     """
     ended: set[int] = set()
     deadline = time.monotonic() + LONGEST_SWEEP_S
@@ -65,7 +65,7 @@ def sweep_orphans() -> int:
 
 
 def _stop_below(pid: int, known: set[int]) -> set[int]:
-    """Stop the descendants of `pid` that are not known yet nor exempt, from the top down. Returns them."""
+    """Stop the descendants of `pid` that are neither known nor exempt, from the top down. Return them."""
     newcomers: set[int] = set()
     waiting, looked_at = [pid], set[int]()
     while waiting:
@@ -88,9 +88,11 @@ def _signal(pids: Iterable[int], number: signal.Signals) -> None:
 
 
 def _reap(killed: set[int]) -> None:
-    """Wait for the dead. Their children come to us when they go, so that each of them is ours in the end.
+    """Reap the killed processes.
 
-    In any order: the first process of a sandbox cannot be reaped before the others in it are.
+    When a process ends, we adopt its children, so eventually each process is our child.
+
+    We reap them in any order, because a sandbox's first process can't be reaped before the others in it.
     """
     while mine := killed.intersection(children(os.getpid())):
         reaped = 0

@@ -1,6 +1,6 @@
-"""What the workbook reads below /proc: processes, threads, sockets, users, and processors.
+"""Read information from /proc: about processes, threads, sockets, users, and processors.
 
-Functions about a process that has ended return nothing, zero or None, as each says; `read` raises OSError.
+If a process has ended, functions return an empty result, zero, or None, or raise OSError; see each function.
 """
 
 import os
@@ -21,9 +21,9 @@ QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
 
 
 def read(path: str) -> bytes:
-    """The content of a small file below /proc. Raises OSError when its process has ended.
+    """Read a small file below /proc. Raises OSError if its process has ended.
 
-    Called many times a second: a file object would make twice as many system calls, a `Path` more still.
+    It's called many times a second. A file object would make twice as many system calls, and a `Path` even more.
     """
     descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
     try:
@@ -48,7 +48,7 @@ def _number_after(name: bytes, path: str) -> int:
 
 
 def read_text(path: str) -> str:
-    """The content of a file of any size as text. Raises OSError."""
+    """Read a file of any size as text. Raises OSError."""
     with open(path, encoding="utf-8", errors="replace") as file:
         return file.read()
 
@@ -57,19 +57,19 @@ def read_text(path: str) -> str:
 
 
 def pids() -> list[int]:
-    """All processes that this process can see."""
+    """Return all processes that are visible to this process."""
     return [int(entry) for entry in os.listdir("/proc") if entry.isdigit()]
 
 
 def tasks(pid: int) -> list[str]:
-    """The threads of a process; none when it has ended."""
+    """Return a process's threads; none if it has ended."""
     with suppress(OSError):
         return os.listdir(f"/proc/{pid}/task")
     return []
 
 
 def children(pid: int) -> list[int]:
-    """Processes that `pid` has started, or adopted; none when it has ended."""
+    """Return the processes that `pid` has started or adopted; none if it has ended."""
     found: list[int] = []
     for task in tasks(pid):
         with suppress(OSError):
@@ -78,7 +78,7 @@ def children(pid: int) -> list[int]:
 
 
 def process_tree(pid: int) -> list[int]:
-    """`pid` and all its descendants."""
+    """Return `pid` and all its descendants."""
     tree = {pid: None}
     waiting = [pid]
     while waiting:
@@ -89,37 +89,40 @@ def process_tree(pid: int) -> list[int]:
 
 
 def command_line(pid: int) -> bytes:
-    """What a process was started with, each part ended by a zero byte; empty when it has ended."""
+    """Return a process's command line, with a zero byte after each part; empty if it has ended."""
     return _read_if_there(f"/proc/{pid}/cmdline")
 
 
 def environment(pid: int) -> list[bytes]:
-    """The variables that a process was started with; none when it has ended, or is not ours to read."""
+    """Return the variables that a process was started with; none if it has ended or we may not read them."""
     content = _read_if_there(f"/proc/{pid}/environ")
     return content.split(b"\0") if content else []
 
 
 def status(pid: int | str = "self") -> dict[str, str]:
-    """Fields of /proc/PID/status by name. Raises OSError when it has ended."""
+    """Return the fields of /proc/PID/status by name. Raises OSError if the process has ended."""
     lines = read(f"/proc/{pid}/status").decode(errors="replace").splitlines()
     fields = (line.partition(":") for line in lines)
     return {name: value.strip() for name, _, value in fields}
 
 
 def stat_fields(pid: int | str = "self") -> list[bytes]:
-    """The fields of /proc/PID/stat from the state on (the third one, see proc(5)). Raises OSError when it has ended."""
+    """Return the fields of /proc/PID/stat, beginning with the state (the third one; see proc(5)).
+
+    Raises OSError if the process has ended.
+    """
     return read(f"/proc/{pid}/stat").rsplit(b")", 1)[1].split()
 
 
 def owner(pid: int) -> int | None:
-    """The user id of a process; None when it has ended."""
+    """Return a process's user id; None if it has ended."""
     with suppress(OSError):
         return os.stat(f"/proc/{pid}").st_uid
     return None
 
 
 def running_users() -> list[tuple[int, int]]:
-    """Number and real user id of every process that has not ended."""
+    """Return the process id and real user id of every process that hasn't ended."""
     found = []
     for pid in pids():
         try:
@@ -135,7 +138,7 @@ def running_users() -> list[tuple[int, int]]:
 
 
 def processor_seconds(group: Iterable[int]) -> float | None:
-    """Processor time (s) that these processes have used; None when none of them is there any more."""
+    """Return the CPU time (s) that these processes have used; None if all of them have ended."""
     used = []
     for pid in group:
         with suppress(OSError):
@@ -144,12 +147,12 @@ def processor_seconds(group: Iterable[int]) -> float | None:
 
 
 def run_queue_s(pid: int) -> float:
-    """How long (s) the first thread of a process was ready and had no processor; zero when it has ended."""
+    """Return how long (s) a process's first thread was ready but had no processor; zero if it has ended."""
     return ran_and_waited_s(pid)[1]
 
 
 def ran_and_waited_s(pid: int) -> tuple[float, float]:
-    """Seconds that the first thread of a process ran, and waited for a processor; zeros when it has ended."""
+    """Return how long (s) a process's first thread ran, and waited for a processor; zeros if it has ended."""
     # https://docs.kernel.org/scheduler/sched-stats.html
     try:
         ran, waited, *_ = map(int, read(f"/proc/{pid}/schedstat").split())
@@ -159,7 +162,7 @@ def ran_and_waited_s(pid: int) -> tuple[float, float]:
 
 
 def resident_bytes(pid: int) -> int:
-    """Memory of a process, with all that it shares; zero when it has ended."""
+    """Return a process's memory (bytes), including shared memory; zero if it has ended."""
     try:
         return int(read(f"/proc/{pid}/statm").split()[1]) * _PAGE_BYTES
     except (OSError, IndexError):
@@ -167,7 +170,7 @@ def resident_bytes(pid: int) -> int:
 
 
 def written_bytes(pid: int) -> int:
-    """What a process, and all that it has waited for, has written by calls, wherever to; zero when it has ended.
+    """Return how many bytes a process and its reaped children wrote by system calls; zero if it has ended.
 
     Source: proc_pid_io(5), `wchar`.
     """
@@ -175,26 +178,30 @@ def written_bytes(pid: int) -> int:
 
 
 def proportional_bytes(pid: int) -> int:
-    """Memory of a process, of what it shares with others its part; zero when it has ended. Takes a while."""
+    """Return a process's memory (bytes), including its part of shared memory; zero if it has ended. It's slow."""
     return 1024 * _number_after(b"Pss:", f"/proc/{pid}/smaps_rollup")
 
 
 def memory_bytes(group: Sequence[int], worth_counting: int) -> int:
-    """Memory that these processes hold together.
+    """Return the memory (bytes) that these processes use together.
 
-    What they share after a fork is counted once, which takes a while, and only from `worth_counting` bytes on.
+    Memory that they share after a fork is counted once. Because this is slow, it's done only above `worth_counting`
+    bytes.
     """
     rough = sum(map(resident_bytes, group))
     return rough if rough <= worth_counting else sum(map(proportional_bytes, group))
 
 
 def available_memory_bytes() -> int:
-    """Memory that programs may still take without swapping; what is unknown counts as none. See proc_meminfo(5)."""
+    """Return the memory (bytes) that programs may still use without swapping; zero if it's unknown.
+
+    See proc_meminfo(5).
+    """
     return 1024 * _number_after(b"MemAvailable:", "/proc/meminfo")
 
 
 def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
-    """Number, controllers and path of the cgroup of this process in each hierarchy; none where there are none."""
+    """Return the number, controllers, and path of this process's cgroup in each hierarchy; empty if there are none."""
     try:
         rows = [line.split(":", 2) for line in read_text(table).splitlines()]
     except OSError:
@@ -203,7 +210,7 @@ def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
 
 
 def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str]]]:
-    """Root, mount point and options of each file system of this kind that this process sees."""
+    """Return the root, mount point, and options of each file system of this kind that this process sees."""
     try:
         rows = [line.split() for line in read_text(table).splitlines()]
     except OSError:
@@ -213,7 +220,7 @@ def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str
 
 
 def mount_usage(pid: int, folder: str) -> os.statvfs_result:
-    """Size and use of the file system in which a process sees `folder`. Raises OSError when it has ended."""
+    """Return the size and use of the file system in which a process sees `folder`. Raises OSError if it has ended."""
     return os.statvfs(f"/proc/{pid}/root{folder}")
 
 
@@ -221,36 +228,42 @@ def mount_usage(pid: int, folder: str) -> os.statvfs_result:
 
 
 def thread_name(task: str) -> bytes:
-    """The name of a thread of this process. Raises OSError when it has ended."""
+    """Return the name of one of this process's threads. Raises OSError if it has ended."""
     return read(f"/proc/self/task/{task}/comm")
 
 
 def how_many_threads(pid: int) -> int:
-    """How many threads a process has; none when it has ended. Costs a tenth of listing them."""
+    """Return a process's number of threads; zero if it has ended. This is ten times faster than listing them."""
     with suppress(OSError):
         return os.stat(f"/proc/{pid}/task").st_nlink - 2
     return 0
 
 
 def thread_folder(pid: int | str, task: str) -> str:
-    """Where the kernel tells about a thread, in the files `stat`, `schedstat` and `syscall`."""
+    """Return the folder in which the kernel describes a thread, in the files `stat`, `schedstat`, and `syscall`."""
     return f"/proc/{pid}/task/{task}"
 
 
 def is_at_work(stat_fd: int) -> bool:
-    """Whether a thread runs, waits for a processor, or is in the middle of a call to a disk. From its open `stat`."""
+    """Return whether a thread is running, waiting for a processor, or waiting for a disk.
+
+    `stat_fd`: the thread's open file `stat`.
+    """
     line = _peek(stat_fd)
     after_name = line.rfind(b")") + 2
     return line[after_name : after_name + 1] in (b"R", b"D")
 
 
 def times_scheduled(schedstat_fd: int) -> bytes:
-    """What changes each time that a thread is given a processor. From its open `schedstat`."""
+    """Return bytes that change whenever a thread gets a processor, from its open `schedstat`."""
     return _peek(schedstat_fd)
 
 
 def times_main_thread_ran(pid: int) -> int | None:
-    """How often the first thread of a process was given a processor; None when it has ended, or nobody tells."""
+    """Return how often a process's first thread got a processor.
+
+    Return None if the process has ended, or the kernel doesn't report it.
+    """
     try:
         return int(read(f"{thread_folder(pid, str(pid))}/schedstat").split()[2])
     except (OSError, IndexError):
@@ -258,12 +271,15 @@ def times_main_thread_ran(pid: int) -> int | None:
 
 
 def system_call(syscall_fd: int) -> bytes:
-    """The call that a thread is in: its number and arguments, or nothing if the kernel keeps it. From its `syscall`."""
+    """Return the system call that a thread is in: its number and arguments; empty if the kernel doesn't report it.
+
+    `syscall_fd`: the thread's open file `syscall`.
+    """
     return _peek(syscall_fd)
 
 
 def _peek(fd: int) -> bytes:
-    """The content of a small open file; nothing when its thread has ended."""
+    """Return the content of a small open file; empty if its thread has ended."""
     try:
         return os.pread(fd, 512, 0)
     except OSError:
@@ -282,7 +298,7 @@ def _sockets(pid: int) -> set[str]:
 
 
 def _udp_sockets(tables: Iterable[str]) -> Iterator[tuple[int, str]]:
-    """Local port and inode of each UDP socket."""
+    """Yield the local port and inode of each UDP socket."""
     for table in tables:
         try:
             lines = read_text(table).splitlines()[1:]
@@ -294,12 +310,12 @@ def _udp_sockets(tables: Iterable[str]) -> Iterator[tuple[int, str]]:
 
 
 def udp_ports_in_use(tables: Iterable[str] = UDP_TABLES) -> set[int]:
-    """Local UDP ports that any process of this machine has bound."""
+    """Return the local UDP ports that any process on this machine has bound."""
     return {port for port, _ in _udp_sockets(tables)}
 
 
 def udp_ports_of(group: Iterable[int]) -> set[int]:
-    """Local ports of the IPv4 UDP sockets that these processes have open."""
+    """Return the local ports of the IPv4 UDP sockets that these processes have open."""
     inodes: set[str] = set()
     for pid in group:
         inodes |= _sockets(pid)
@@ -307,12 +323,12 @@ def udp_ports_of(group: Iterable[int]) -> set[int]:
 
 
 def sockets_open(group: Iterable[int]) -> int:
-    """How many sockets these processes have open; what they share counts once."""
+    """Return how many sockets these processes have open. A shared socket counts once."""
     return len(set().union(*map(_sockets, group)))
 
 
 def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
-    """How many sockets there are in the network of this process, whoever holds them; zero where nobody tells."""
+    """Return the number of sockets in this process's network, of any process; zero if the kernel doesn't report it."""
     try:
         return int(read_text(totals).split()[2])  # sockets: used N
     except (OSError, ValueError, IndexError):
@@ -320,10 +336,10 @@ def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
 
 
 def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
-    """What waits in the UDP and TCP sockets of this network for somebody to read it.
+    """Return how many unread bytes are waiting in this network's UDP and TCP sockets.
 
-    The kernel keeps one sum for all networks of the machine. Only from `worth_counting` bytes on, which is quickly
-    told, those of this network are added up; until then it is zero.
+    The kernel has a sum for all of the machine's networks, which is fast to read. Only if that sum exceeds
+    `worth_counting` bytes, add up this network's sockets; otherwise, return zero.
     """
     try:
         lines = [line.split() for line in read_text(totals).splitlines()]
@@ -337,10 +353,10 @@ def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
 
 
 def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
-    """Names of the Unix sockets of this machine, abstract ones with a leading @."""
+    """Return the names of this machine's Unix sockets, abstract ones with a leading @."""
     try:
         rows = [line.split(maxsplit=7) for line in read_text(table).split("\n")[1:]]
-        return {row[7] for row in rows if len(row) == 8}  # not each has a name
+        return {row[7] for row in rows if len(row) == 8}  # some have no name
     except OSError:
         return set()
 
@@ -349,26 +365,35 @@ def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
 
 
 def processor_times_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, list[float]]:
-    """Seconds of each processor, and of all ("cpu"), in the columns of proc_stat(5); {} where nobody tells."""
+    """Return the seconds of each processor, and of all ("cpu"), in the columns of proc_stat(5).
+
+    Return {} if the file is missing.
+    """
     rows = [line.split() for line in _read_if_there(os.fspath(stat)).decode(errors="replace").splitlines()]
     rows = [words for words in rows if words and words[0].startswith("cpu") and "".join(words[1:]).isdigit()]
     return {name: [int(ticks) * _TICK_S for ticks in columns] for name, *columns in rows}
 
 
 def stolen_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, float]:
-    """Seconds that each processor has been taken away since the machine was started; {} where nobody tells."""
+    """Return each processor's stolen time (s) since the machine started.
+
+    Return {} if the file is missing.
+    """
     each = {name: times for name, times in processor_times_s(stat).items() if name != "cpu"}
     return {name: times[_STEAL] for name, times in each.items() if len(times) > _STEAL}
 
 
 def idle_and_all_s(stat: str | os.PathLike[str] = PROC_STAT) -> tuple[float, float]:
-    """Seconds that the processors have been idle since the machine was started, and all their seconds; else zeros."""
+    """Return the processors' idle time and their total time (s) since the machine started.
+
+    Return zeros if they're unknown.
+    """
     times = processor_times_s(stat).get("cpu", [])
     return sum(times[_IDLE]), sum(times[: _STEAL + 1])
 
 
 def knows_ids(first: int, count: int) -> bool:
-    """Whether these ids exist in this container, for users and for groups."""
+    """Return whether these ids exist in this container, for users and for groups."""
     for table in ("/proc/self/uid_map", "/proc/self/gid_map"):
         try:
             rows = [[int(number) for number in line.split()] for line in read_text(table).splitlines()]
@@ -380,7 +405,10 @@ def knows_ids(first: int, count: int) -> bool:
 
 
 def system_v_ipc(table: str) -> list[dict[str, str]]:
-    """The rows of /proc/sysvipc/TABLE ("shm", "sem" or "msg") by column; none where the kernel has no such table."""
+    """Return the rows of /proc/sysvipc/TABLE ("shm", "sem", or "msg") by column.
+
+    Return an empty list if the kernel has no such table.
+    """
     try:
         head, *lines = read_text(f"/proc/sysvipc/{table}").splitlines()
     except (OSError, ValueError):
@@ -389,12 +417,12 @@ def system_v_ipc(table: str) -> list[dict[str, str]]:
 
 
 def mapped_libraries(name: str, table: str = "/proc/self/maps") -> set[str]:
-    """Paths of the files mapped into this process whose last part begins with `name`. They may have spaces."""
+    """Return the paths of files mapped into this process whose name begins with `name`. They may contain spaces."""
     paths = (line.split(maxsplit=5)[-1] for line in read_text(table).splitlines())
     return {path for path in paths if path.rpartition("/")[2].startswith(name) and "/" in path}
 
 
 def own_environment_range() -> tuple[int, int]:
-    """Addresses at which the environment of this process begins and ends: env_start and env_end of proc(5)."""
+    """Return the begin and end address of this process's environment: env_start and env_end in proc(5)."""
     begin, end = stat_fields()[47:49]
     return int(begin), int(end)

@@ -1,8 +1,10 @@
-"""Starts one of the files beside it without the rest of the workbook: `python -P run.py NAME ARGUMENT...`
+"""Start a file of this folder without loading the rest of the workbook.
 
-The files of this folder import each other as `workbook.inside.NAME`, like everybody else. Here these names are made
-from the files alone. They are forgotten before the file's `main` gets its arguments: a program that this process runs,
-or becomes, finds the modules that it would find without them.
+The command is `python -P run.py NAME ARGUMENT...`.
+
+Like all other modules, the files in this folder import each other as `workbook.inside.NAME`. This script provides those
+names from the files alone, and removes them before it calls the file's `main`. So a program that this process runs or
+becomes finds the same modules as without this script.
 """
 
 import importlib
@@ -16,10 +18,13 @@ PACKAGES = ("workbook", "workbook.inside")
 
 
 class SiblingFinder:
-    """For `sys.meta_path`: the two packages without any code of their own, and the files of this folder."""
+    """A finder for `sys.meta_path` that finds this folder's files and, without their code, the two packages."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Part of the import protocol: a file of this folder or one of its two packages; None for all other names."""
+        """Find a file in this folder or one of its two packages, as part of the import protocol.
+
+        Return None for all other names.
+        """
         if name in PACKAGES:
             return ModuleSpec(name, None, is_package=True)
         package, _, file = name.rpartition(".")
@@ -29,7 +34,7 @@ class SiblingFinder:
 
 
 def main(name: str, arguments: list[str]) -> None:
-    """Call `main` of the file `name` with these arguments, after its sibling modules are taken out of `sys.modules`."""
+    """Call `main` of the file `name` with these arguments, after removing its sibling modules from `sys.modules`."""
     finder = SiblingFinder()
     sys.meta_path.insert(0, finder)
     sibling = importlib.import_module(f"{PACKAGES[-1]}.{name}")

@@ -1,6 +1,6 @@
-"""Prints exceptions as a student would see them without the host: only their own frames, each traceback in one write.
+"""Print exceptions as a student would see them without the host: only the student's frames, in a single write.
 
-Two threads that fail together would mix their lines if each line was a write of its own.
+If each line were a separate write, two threads that fail together would mix their lines.
 """
 
 import os
@@ -18,13 +18,13 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 PATIENCE_WITH_THREADS_S = 1.0
 LOOK_EVERY_S = 0.02
 STILL_RUNNING = "Still running:"
-"""So begins the line about each thread that keeps a program from its end."""
+"""The beginning of the line about each thread that keeps a program from ending."""
 
 
 def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary], bool]) -> str:
-    """The traceback of an exception and of all that it followed from, without frames of this folder.
+    """Format an exception's traceback, with its causes, but without this folder's frames.
 
-    `ends_with_host`: whether a frame imported the answer, so that no frame up to it is the answer's.
+    `ends_with_host`: whether a frame imported the answer. No frame up to it belongs to the answer.
     """
     for raised in _chained(error):
         note = note_of(raised) or note_of_name(raised)
@@ -48,7 +48,7 @@ def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary
 
 
 def _chained(error: BaseException) -> Iterator[BaseException]:
-    """An exception, and those that came before it."""
+    """Yield an exception, followed by its causes or contexts."""
     seen = set[int]()
     one: BaseException | None = error
     while one is not None and id(one) not in seen:
@@ -58,14 +58,14 @@ def _chained(error: BaseException) -> Iterator[BaseException]:
 
 
 def _without_a_head(told: traceback.TracebackException) -> list[str]:
-    """What is left when Python could not read the file: no frame has run."""
+    """Return the lines without a traceback, for a file that Python couldn't read, so that no frame has run."""
     if told.__cause__ is not None or (told.__context__ is not None and not told.__suppress_context__):
         return list(told.format())
     return list(told.format_exception_only())
 
 
 def write(text: str) -> None:
-    """Write to standard error, if there is one, after what was printed."""
+    """Write to standard error, if there is one, after all earlier prints."""
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
             stream.flush()
@@ -75,7 +75,7 @@ def write(text: str) -> None:
 
 
 def take_over_threads(show: Callable[[BaseException], str]) -> None:
-    """From now on, print what leaves a thread by `show`, in one write."""
+    """Print each uncaught exception of a thread with `show` from now on, in a single write."""
 
     def hook(arguments: threading.ExceptHookArgs) -> None:
         if arguments.exc_value is None or issubclass(arguments.exc_type, SystemExit):
@@ -87,7 +87,7 @@ def take_over_threads(show: Callable[[BaseException], str]) -> None:
 
 
 def tell_who_stays(path: str) -> None:
-    """Name the threads that keep the program at `path` from its end, with the line that each is in."""
+    """Report the threads that keep the program at `path` from ending, with each one's current line."""
     until = time.monotonic() + PATIENCE_WITH_THREADS_S
     others = [
         one for one in threading.enumerate() if one is not threading.current_thread() and not one.daemon
@@ -96,7 +96,7 @@ def tell_who_stays(path: str) -> None:
         time.sleep(LOOK_EVERY_S)
     frames = sys._current_frames()
     for thread in others:
-        if thread.ident in frames:  # is_alive() says no after an interrupted join()
+        if thread.ident in frames:  # after an interrupted join(), is_alive() returns False
             write(f"{STILL_RUNNING} {thread.name}{_line_of(frames[thread.ident], path)}\n")
 
 

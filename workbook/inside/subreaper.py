@@ -1,9 +1,9 @@
-"""Runs a command and outlives it, to end all that is left below.
+"""Run a command, and then end all its leftover processes.
 
     python -I -S run.py subreaper PARENT COMMAND...
 
-When the command ends, or when the process PARENT does, however suddenly. A sandbox of bubblewrap ends with its owner
-too, but only from a certain moment of its start on: until then a killed grader would leave it behind for ever.
+It ends them when the command or the process PARENT ends, even if PARENT is killed. A bubblewrap sandbox also ends with
+its owner, but not during the first part of its start. An owner killed then would leave it behind forever.
 """
 
 import os
@@ -15,11 +15,11 @@ from workbook.inside.libc import set_parent_death_signal
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 
 HEARD = {signal.SIGTERM, signal.SIGCHLD, signal.SIGINT}
-"""An interrupt is the command's to obey; this process goes when that has gone."""
+"""The command handles interrupts. This process ends after the command."""
 
 
 def run_and_reap(parent: int, command: list[str]) -> int:
-    """Run `command` until it ends or `parent` does. Returns its exit code as `os.waitstatus_to_exitcode` tells it."""
+    """Run `command` until it or `parent` ends. Return its exit code, as `os.waitstatus_to_exitcode` does."""
     signal.pthread_sigmask(signal.SIG_BLOCK, HEARD)
     adopt_orphans()
     set_parent_death_signal(signal.SIGTERM)
@@ -40,7 +40,7 @@ def run_and_reap(parent: int, command: list[str]) -> int:
 
 
 def end_alike(code: int) -> None:
-    """End this process as the command ended: with its exit code, or by its signal."""
+    """End this process like the command: with its exit code, or by its signal."""
     if code < 0:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         signal.pthread_sigmask(signal.SIG_UNBLOCK, HEARD)
@@ -51,6 +51,6 @@ def end_alike(code: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Run the command and end as it ended, with the arguments above."""
+    """Run the command with the arguments described above, and end like it."""
     parent, *command = arguments
     end_alike(run_and_reap(int(parent), command))

@@ -1,7 +1,7 @@
-"""Ends everything that runs under a user id: `python -I -S run.py sweeper ID OWN_ID`, as root.
+"""Kill every process of a user id: `python -I -S run.py sweeper ID OWN_ID`, as root.
 
-It acts with the id of the programs, so that one call of `kill` reaches all of them at
-once and none can fork away, and its own real id is another one, so that none of them may signal it.
+It acts with the programs' user id, so one call of `kill` reaches all of them, and none can escape by forking. Its real
+user id is a different one, so no program may signal it.
 """
 
 import os
@@ -11,17 +11,21 @@ import sys
 from workbook.inside.proc import status
 
 RANGES = ((1_900_000_000, 100_000), (60_600, 480))
-"""First id and how many: where neither distributions nor container managers put accounts. The second is for containers
-that know 65536 ids only."""
+"""First id and count of each range. Neither distributions nor container managers create accounts there. The second
+range is for containers that have only 65536 ids.
+"""
 
 
 def is_ours(user: int) -> bool:
-    """Whether an id is one of those that programs are run under."""
+    """Return whether an id is in the ranges for running programs."""
     return any(first <= user < first + count for first, count in RANGES)
 
 
 def act_as(user: int, own: int) -> None:
-    """Take both ids for good. Raises PermissionError unless the kernel confirms that nobody else can be reached."""
+    """Switch to both ids permanently.
+
+    Raises PermissionError unless the kernel confirms that this process can't reach any other processes.
+    """
     if not is_ours(user) or not is_ours(own):
         raise PermissionError(f"{user} and {own} are not ids that programs are run under")
     os.setgroups([])
@@ -35,7 +39,7 @@ def act_as(user: int, own: int) -> None:
 
 
 def end_all(user: int, own: int) -> None:
-    """Kill every process of `user`. Changes the ids of this process for good. Raises PermissionError."""
+    """Kill every process of `user`, after changing this process's ids permanently. Raises PermissionError."""
     act_as(user, own)
     try:
         os.kill(-1, signal.SIGKILL)
@@ -44,7 +48,7 @@ def end_all(user: int, own: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Kill every process of a user; arguments are the user id and our own id. Exits with a message when that fails."""
+    """Kill every process of a user. The arguments are the user id and our own id. On failure, exit with a message."""
     try:
         end_all(int(arguments[0]), int(arguments[1]))
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Refusing system calls for good: seccomp filters for programs that are not trusted."""
+"""Refuse system calls permanently, with seccomp filters for untrusted programs."""
 
 import ctypes
 import errno
@@ -17,7 +17,7 @@ BPF_LOAD_WORD, BPF_JUMP_IF_EQUAL, BPF_JUMP_IF_AT_LEAST, BPF_RETURN = 0x20, 0x15,
 BPF_JUMP_IF_ANY_BIT = 0x45
 ARCH_X86_64 = 0xC000003E
 X32_SYSCALLS = 0x40000000
-# The numbers of the calls on x86_64: arch/x86/entry/syscalls/syscall_64.tbl in Linux.
+# System call numbers on x86_64, from arch/x86/entry/syscalls/syscall_64.tbl in Linux.
 OTHER_PROCESSES = {
     "ptrace": 101,
     "process_vm_readv": 310,
@@ -35,7 +35,7 @@ INTO_THE_KERNEL = {
     "io_uring_register": 427,
 }
 OF_THE_WHOLE_MACHINE = {"io_setup": 206}
-"""What they make counts against one figure of the machine, which one answer could use up (/proc/sys/fs/aio-max-nr)."""
+"""Their objects count toward a machine-wide limit (/proc/sys/fs/aio-max-nr), which one answer could use up."""
 NAME_SPACES = {"unshare": 272, "setns": 308}
 MOUNTING = {
     "pivot_root": 155,
@@ -73,9 +73,9 @@ UNCOUNTED_MEMORY = {
     "memfd_create": 319,
     "memfd_secret": 447,
 }
-"""Memory that no process holds, or that stays when a process has unmapped it: no limit counts it."""
+"""Memory that no process holds, or that remains after a process has unmapped it, so no limit counts it."""
 NEWS_OF_FILES = {"inotify_init": 253, "inotify_init1": 294, "fanotify_init": 300}
-"""Who opens a file can be heard in every sandbox that sees it."""
+"""With these, every sandbox that sees a file could notice when another process opens it."""
 LOCKS = {"flock": 73}
 OF_ONE_PROCESS = {"prlimit64": 302}
 SCHEDULING_OF_ONE = {
@@ -84,11 +84,11 @@ SCHEDULING_OF_ONE = {
     "sched_setaffinity": 203,
     "sched_setattr": 314,
 }
-"""Calls whose first argument says which process they change; zero is the caller itself."""
+"""Calls whose first argument is the process that they change; zero is the caller itself."""
 SETPRIORITY, IOPRIO_SET = 141, 251
 MMAP, SOCKET, SOCKETPAIR, SETSOCKOPT, FCNTL = 9, 41, 53, 54, 72
 FAMILIES = {"AF_UNIX": 1, "AF_INET": 2, "AF_INET6": 10, "AF_NETLINK": 16}
-"""The sockets that a node needs. With others (AF_VSOCK is one) a program reaches what is around the machine."""
+"""The socket families that a node needs. With others, such as AF_VSOCK, a program could reach other systems."""
 MAP_SHARED, MAP_ANONYMOUS = 0x01, 0x20
 SOL_SOCKET = 1
 SEND_BUFFERS = {"SO_SNDBUF": 7, "SO_SNDBUFFORCE": 32}
@@ -103,7 +103,7 @@ FILE_LOCKS = {
     "F_NOTIFY": 1026,
 }
 PIPE_SIZE = {"F_SETPIPE_SZ": 1031}
-"""All pipes of a user share one figure: beyond it, those of other answers hold a page or two."""
+"""All of a user's pipes share one limit. Beyond it, other answers' pipes hold only a page or two."""
 PERMISSIONS = {"chmod": 90, "fchmod": 91, "fchmodat": 268, "fchmodat2": 452}
 OWNERS = {"chown": 92, "fchown": 93, "lchown": 94, "fchownat": 260}
 TIMES = {"utime": 132, "utimes": 235, "futimesat": 261, "utimensat": 280}
@@ -121,7 +121,7 @@ ATTRIBUTES = {
 
 
 Step = tuple[int, int, int, int]
-"""One step of a filter: the operation, how many steps to jump if it holds and if not, and a number."""
+"""One filter step: the operation, how many steps to jump if its test succeeds or fails, and a number."""
 STEP_BYTES = 8
 
 
@@ -130,15 +130,15 @@ class _Filter(ctypes.Structure):
 
 
 def knows_this_machine() -> bool:
-    """Whether the filter of system calls knows this kind of machine."""
+    """Return whether the system call filter supports this type of machine."""
     return os.uname().machine == "x86_64" and sys.maxsize > 2**32
 
 
 def filter_problem() -> str:
-    """Return why no filter of system calls can be installed on this machine, as a clause; empty if one can.
+    """Return why no system call filter can be installed on this machine, as a clause; empty if one can.
 
-    A kernel that has filters and lets a process install them looks at the filter first, and here there is none to look
-    at (EFAULT). Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
+    If the kernel has filters and lets this process install one, it first reads the filter. Because we pass none, it
+    fails with EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
     """
     if not knows_this_machine():
         return f"the filter does not know the system calls of this machine ({os.uname().machine})"
@@ -148,14 +148,14 @@ def filter_problem() -> str:
 
 
 def one_of(argument: int, values: Iterable[int]) -> list[Step]:
-    """Go on if the argument with this number is one of the values; else let the call through."""
+    """Return steps that continue if this argument is one of the values, and otherwise allow the call."""
     jumps = [*values]
     tests = [(BPF_JUMP_IF_EQUAL, len(jumps) - i, 0, value) for i, value in enumerate(jumps)]
     return [_load(argument), *tests, (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
 
 
 def none_of(argument: int, values: Iterable[int]) -> list[Step]:
-    """Go on if the argument with this number is none of the values; else let the call through."""
+    """Return steps that continue if this argument is none of the values, and otherwise allow the call."""
     steps = [_load(argument)]
     for value in values:
         steps += [(BPF_JUMP_IF_EQUAL, 0, 1, value), (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
@@ -163,7 +163,7 @@ def none_of(argument: int, values: Iterable[int]) -> list[Step]:
 
 
 def all_bits(argument: int, *bits: int) -> list[Step]:
-    """Go on if all these bits of the argument with this number are set; else let the call through."""
+    """Return steps that continue if all these bits of this argument are set, and otherwise allow the call."""
     steps = [_load(argument)]
     for bit in bits:
         steps += [(BPF_JUMP_IF_ANY_BIT, 1, 0, bit), (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
@@ -171,7 +171,7 @@ def all_bits(argument: int, *bits: int) -> list[Step]:
 
 
 def not_zero(*arguments: int) -> list[Step]:
-    """Go on if one of the arguments with these numbers is not zero; else let the call through."""
+    """Return steps that continue if at least one of these arguments isn't zero, and otherwise allow the call."""
     steps: list[Step] = []
     for position, argument in enumerate(arguments):
         behind = 2 * (len(arguments) - position) - 1
@@ -180,14 +180,14 @@ def not_zero(*arguments: int) -> list[Step]:
 
 
 def _load(argument: int) -> Step:
-    """Load the lower half of an argument of the call: all of what the kernel reads of those that are looked at here."""
+    """Load the lower half of an argument. For the arguments that we test, the kernel ignores the upper half."""
     return (BPF_LOAD_WORD, 0, 0, 16 + 8 * argument)
 
 
 def case(number: int, error: int, *conditions: list[Step]) -> list[Step]:
-    """Steps that make the call with this number fail with `error` (0: do nothing and report success).
+    """Return steps that make the call with this number fail with `error` (0: do nothing and report success).
 
-    With `conditions` only if all of them hold.
+    If there are `conditions`, the steps apply only if all of them are true.
     """
     body = [step for condition in conditions for step in condition]
     body.append((BPF_RETURN, 0, 0, SECCOMP_ERRNO | error))
@@ -197,16 +197,16 @@ def case(number: int, error: int, *conditions: list[Step]) -> list[Step]:
 def compiled(
     refused: Iterable[int], without_effect: Iterable[int] = (), cases: Iterable[list[Step]] = ()
 ) -> bytes:
-    """Return a filter as the kernel reads it, for `install` or for bubblewrap.
+    """Return a filter in the kernel's binary format, for `install` or for bubblewrap.
 
-    The system calls in `refused` fail, and those in `without_effect` do nothing and report success; by number. `cases`:
-    more of both, see `case`; one for each number.
+    The system calls with the numbers in `refused` fail. Those in `without_effect` do nothing and report success.
+    `cases`: more of both (see `case`), at most one per number.
     """
     steps: list[Step] = [
         (BPF_LOAD_WORD, 0, 0, 4),  # the architecture
         (BPF_JUMP_IF_EQUAL, 1, 0, ARCH_X86_64),
         (BPF_RETURN, 0, 0, SECCOMP_ERRNO | errno.ENOSYS),
-        (BPF_LOAD_WORD, 0, 0, 0),  # the number of the call
+        (BPF_LOAD_WORD, 0, 0, 0),  # the system call's number
         (BPF_JUMP_IF_AT_LEAST, 0, 1, X32_SYSCALLS),
         (BPF_RETURN, 0, 0, SECCOMP_ERRNO | errno.ENOSYS),
     ]
@@ -219,9 +219,9 @@ def compiled(
 
 
 def install(program: bytes) -> None:
-    """Filter the system calls of this thread, and of all that it becomes and starts, by what `compiled` returned.
+    """Install a program from `compiled` as the system call filter of this thread and its descendants.
 
-    Needs `drop_capabilities`, or what comes to the same. Raises OSError where the kernel has no such filters.
+    Call `drop_capabilities` or an equivalent first. Raises OSError if the kernel has no such filters.
     """
     code = ctypes.create_string_buffer(program, len(program))
     steps = _Filter(len(program) // STEP_BYTES, ctypes.addressof(code))
@@ -229,10 +229,10 @@ def install(program: bytes) -> None:
 
 
 def bounded_memory() -> list[list[Step]]:
-    """Cases that keep memory where limits count it, for `compiled`, along with UNCOUNTED_MEMORY.
+    """Return cases for `compiled` that, together with UNCOUNTED_MEMORY, keep all memory countable.
 
-    Shared memory without a file stays as a whole while one page of it is mapped. What is sent to a socket that nobody
-    reads is held for its sender, as much as the send buffer takes: it keeps the size that the machine gives to each.
+    Shared memory without a file exists as a whole while one of its pages is mapped. Bytes sent to an unread socket are
+    held for their sender, up to the size of the send buffer, which keeps the machine's default.
     """
     families = FAMILIES.values()
     return [
@@ -244,10 +244,10 @@ def bounded_memory() -> list[list[Step]]:
 
 
 def others_left_alone() -> list[list[Step]]:
-    """Cases that keep a program from changing limits and priorities of other processes, for `compiled`.
+    """Return cases for `compiled` that keep a program from changing other processes' limits and priorities.
 
-    They may belong to the same user: with a limit of no processor time, a program would end its judge. Libraries set
-    the scheduling of their own threads by number, so that comes to nothing and is no error.
+    These processes may belong to the same user, so a program could end its judge by taking away its CPU time. Libraries
+    set their own threads' scheduling by number, so that call does nothing and reports success.
     """
     limits = [case(number, errno.EPERM, not_zero(0)) for number in OF_ONE_PROCESS.values()]
     scheduling = [case(number, 0, not_zero(0)) for number in SCHEDULING_OF_ONE.values()]
@@ -260,11 +260,11 @@ def others_left_alone() -> list[list[Step]]:
 
 
 def against_sandbox_escapes() -> bytes | None:
-    """Compile a filter against the calls with which programs have escaped from sandboxes, met in two, or hidden memory.
+    """Compile a filter against calls with which programs escape from sandboxes, meet in two, or hide memory.
 
-    Sandboxes share the files of the interpreter, so no file is locked or followed. The devices in a sandbox are those
-    of the machine, and belong to root. If the grader is root, an answer could change their permissions and times, so it
-    may only believe that it does. Returns None where `filter_problem` says why there is none.
+    Sandboxes share the interpreter's files, so no program may lock or watch a file. A sandbox's devices are the
+    machine's, and belong to root. If we run as root, an answer could change their permissions and times, so these calls
+    only report success. Return None if no filter can be installed; `filter_problem` gives the reason.
     """
     if filter_problem():
         return None
@@ -280,10 +280,10 @@ def against_sandbox_escapes() -> bytes | None:
 
 
 def filter_sandbox_escapes() -> None:
-    """Refuse what `against_sandbox_escapes` says, for good. Raises OSError.
+    """Refuse the calls of `against_sandbox_escapes`, permanently. Raises OSError.
 
-    It is left out where `filter_problem` says why, which the result of the answer reports: it is a second line of
-    defense behind the name spaces of the sandbox.
+    If `filter_problem` gives a reason, no filter is installed, and the answer's result reports that. The filter is a
+    second line of defense behind the sandbox's namespaces.
     """
     program = against_sandbox_escapes()
     if program is not None:
@@ -291,9 +291,10 @@ def filter_sandbox_escapes() -> None:
 
 
 def filter_permission_changes() -> None:
-    """Let no call through that changes permissions, owners or times of files, or meddles with other processes.
+    """Block all calls that change files' permissions, owners, or times, or that affect other processes.
 
-    Those of the first kind say that all went well, so that a copied file is no error. Raises OSError.
+    Calls that change permissions, owners, or times report success, so that copying a file causes no error. Raises
+    OSError.
     """
     refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE)
     unchanged = numbers(PERMISSIONS, OWNERS, TIMES, ATTRIBUTES)
@@ -302,9 +303,9 @@ def filter_permission_changes() -> None:
 
 
 def filter_uncounted_memory() -> None:
-    """Let no call through that makes memory which no limit counts. Raises OSError.
+    """Block the calls that use memory which no limit counts. Raises OSError.
 
-    It is left out where `filter_problem` says why, which the result of the answer reports.
+    If `filter_problem` gives a reason, no filter is installed, and the answer's result reports that.
     """
     if filter_problem():
         return
@@ -313,5 +314,5 @@ def filter_uncounted_memory() -> None:
 
 
 def numbers(*groups: dict[str, int]) -> list[int]:
-    """The numbers of the calls in some groups."""
+    """Return the numbers of the calls in these groups."""
     return [number for group in groups for number in group.values()]

@@ -1,8 +1,8 @@
-"""Tells the panel beside the notebook what this process publishes, while such a panel is open.
+"""Report this process's messages and responses to the panel next to the notebook, while a panel is open.
 
-The panel must not subscribe: lessons count subscriptions, wait for them, and lose messages that are published before.
-So each process of a notebook reports its own messages on an abstract Unix socket that is named after the ROS domain.
-Without a panel nobody listens there, and a message costs a look at the clock.
+The panel must not subscribe, because lessons count subscriptions, wait for them, and lose messages that are published
+earlier. So each of a notebook's processes reports its own messages on an abstract Unix socket named after the ROS
+domain. Without a panel, no process listens there, and each message costs only a check of the clock.
 """
 
 import json
@@ -13,16 +13,20 @@ from typing import Any
 
 ADDRESS = "\0rclpy-workbook/panel/{}"
 FORGOTTEN = ("/rosout", "/parameter_events")
+OF_EACH_NODE = ("rcl_interfaces/", "type_description_interfaces/")
+"""The packages of the services that every node offers."""
 LOOK_EVERY_S = 0.5
-"""Whether a panel listens."""
+"""How often (s) to check whether a panel listens."""
 AT_ONCE, PER_SECOND = 50, 25
-"""Messages of a publisher that are reported whole: so many in a row, then so many a second. All are counted."""
+"""The limits for reporting a publisher's messages in full: a burst, and then a rate per second. All messages are
+counted.
+"""
 LONGEST = 100_000
-"""Bytes of a message that is reported whole; of a longer one only the fact."""
+"""The size (bytes) up to which a message is reported in full. For a longer one, only its arrival is reported."""
 
 
 class _Publisher:
-    """What is kept of a publisher."""
+    """The data kept for a publisher."""
 
     def __init__(self, topic: str, type_name: str) -> None:
         self.topic = topic
@@ -32,7 +36,7 @@ class _Publisher:
         self.counted_at = 0.0
 
     def may_report(self, now: float) -> bool:
-        """Whether this message is reported, or only counted."""
+        """Count this message, and return whether it's also reported in full."""
         self.unreported += 1
         self.allowance = min(AT_ONCE, self.allowance + PER_SECOND * (now - self.counted_at))
         self.counted_at = now
@@ -48,13 +52,23 @@ class Tap:
         self._looked = -LOOK_EVERY_S
 
     def published(self, publisher: Any, message: Any) -> None:
-        """Report a message. Whatever goes wrong here is no concern of the program."""
+        """Report a message. No error here may affect the program."""
         try:
             now = time.monotonic()
-            kept = publisher.__dict__.get("_workbook_tap") or _known(publisher)
-            # A node's own events come first: after a look for them in vain, the next message would wait for a panel.
+            kept = publisher.__dict__.get("_workbook_tap") or _known_publisher(publisher)
+            # Topic first: after a failed check for a node's own event, the next message wouldn't be reported.
             if kept.topic not in FORGOTTEN and self._listens(now):
                 self._report(kept, message, now)
+        except Exception:
+            self._socket = None
+
+    def responded(self, service: Any, response: Any) -> None:
+        """Report a service's response, as a message on the service's name."""
+        try:
+            now = time.monotonic()
+            kept = service.__dict__.get("_workbook_tap") or _known_service(service)
+            if not kept.type_name.startswith(OF_EACH_NODE) and self._listens(now):
+                self._report(kept, response, now)
         except Exception:
             self._socket = None
 
@@ -79,15 +93,22 @@ class Tap:
         try:
             assert self._socket is not None
             self._socket.send(head + b"\n" + (data if len(data) <= LONGEST else b""))
-        except BlockingIOError:  # the panel is busy: it hears of this one with the next
+        except BlockingIOError:  # the panel is busy, so the next report counts this message
             return
         kept.unreported = 0
 
 
-def _known(publisher: Any) -> _Publisher:
-    kind = publisher.msg_type
-    type_name = f"{kind.__module__.split('.')[0]}/msg/{kind.__name__}"
-    kept = publisher.__dict__["_workbook_tap"] = _Publisher(publisher.topic_name, type_name)
+def _known_publisher(publisher: Any) -> _Publisher:
+    return _known(publisher, publisher.topic_name, publisher.msg_type, "msg")
+
+
+def _known_service(service: Any) -> _Publisher:
+    return _known(service, service.service_name, service.srv_type, "srv")
+
+
+def _known(source: Any, name: str, kind: type, folder: str) -> _Publisher:
+    type_name = f"{kind.__module__.split('.')[0]}/{folder}/{kind.__name__}"
+    kept = source.__dict__["_workbook_tap"] = _Publisher(name, type_name)
     return kept
 
 
@@ -98,11 +119,13 @@ def _serialized(message: Any) -> bytes:
 
 
 def install(domain_id: int) -> None:
-    """From now on, report what this process publishes on `domain_id`. A second call changes the domain."""
+    """Report this process's messages on `domain_id` from now on. A second call changes the domain."""
     from rclpy.publisher import Publisher
+    from rclpy.service import Service
 
     tap = Tap(domain_id)
     original = getattr(Publisher.publish, "__wrapped__", Publisher.publish)
+    original_response = getattr(Service.send_response, "__wrapped__", Service.send_response)
 
     @wraps(original)
     def publish(self: Any, msg: Any) -> None:
@@ -110,4 +133,11 @@ def install(domain_id: int) -> None:
         original(self, msg)
         tap.published(self, msg)
 
+    @wraps(original_response)
+    def send_response(self: Any, response: Any, header: Any) -> None:
+        __tracebackhide__ = True
+        original_response(self, response, header)
+        tap.responded(self, response)
+
     Publisher.publish = publish  # type: ignore[method-assign]
+    Service.send_response = send_response  # type: ignore[method-assign]

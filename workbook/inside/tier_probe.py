@@ -1,10 +1,10 @@
-"""Tries what an untrusted program must not be able to do, and publishes what came of it.
+"""Try everything that an untrusted program must not be able to do, and publish the results.
 
     tier_probe.py FILE PID PORT
 
-It runs as an answer does, so it needs rclpy and nothing beside it. FILE is one that a program must not read, PID a
-process that it must not signal, PORT a TCP port that listens on this machine. The outcome is a String with JSON on
-/tier_probe, again and again.
+It runs like an answer, so it needs only rclpy. FILE must not be readable, and the process PID must not accept its
+signals. PORT is a TCP port with a listener on this machine. The results are published repeatedly on /tier_probe, as a
+String that contains JSON.
 """
 
 import json
@@ -18,7 +18,7 @@ from std_msgs.msg import String
 
 
 def works(attempt: Callable[[], object]) -> bool:
-    """Whether something does not raise an OSError."""
+    """Return whether a call succeeds, that is, doesn't raise an OSError."""
     try:
         attempt()
     except OSError:
@@ -27,15 +27,15 @@ def works(attempt: Callable[[], object]) -> bool:
 
 
 def findings(file: str, pid: int, port: int) -> dict[str, object]:
-    """What this process can do, by name."""
+    """Return this process's abilities, by name."""
     with open("/proc/self/status") as status:
         facts = dict(line.split(":", 1) for line in status)
     beside = os.path.join(os.path.dirname(__file__), "beside")
     return {
-        "reads a file of the grader": works(lambda: open(file).close()),
+        "reads a file of the judge": works(lambda: open(file).close()),
         "changes its own file": works(lambda: open(__file__, "a").close()),
-        "writes beside its own file": works(lambda: open(beside, "w").close()),
-        "signals the grader": works(lambda: os.kill(pid, 0)),
+        "writes next to its own file": works(lambda: open(beside, "w").close()),
+        "signals the judge": works(lambda: os.kill(pid, 0)),
         "connects to this machine": works(lambda: socket.create_connection(("127.0.0.1", port), 1.0).close()),
         "has capabilities": int(facts["CapEff"], 16) | int(facts["CapPrm"], 16) | int(facts["CapInh"], 16)
         > 0,

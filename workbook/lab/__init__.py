@@ -1,4 +1,4 @@
-"""Around the notebooks: creating the environment, launching JupyterLab, setting up kernels, the student's own copy.
+"""Create the environment, launch JupyterLab, set up kernels, and update the student's copy of the notebooks.
 
-It is a face: only `cli` and `authoring` import from it. `bootstrap` runs before anything is installed.
+This package is a face: only `cli` and `authoring` import from it. `bootstrap` runs before anything is installed.
 """

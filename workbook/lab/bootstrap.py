@@ -1,7 +1,7 @@
-"""Creates the environment in `.venv` from requirements.lock, or finds that it is already there.
+"""Create the environment in `.venv` from requirements.lock, unless it's up to date.
 
-Runs before anything is installed: the standard library only, and a syntax that Python 3.8 still reads, so
-that an old Python can say in a clear line that it is too old. `make env`, `make lab` and `make test` call it.
+This module runs before anything is installed, so it uses only the standard library. Python 3.8 can parse it, so an old
+Python can report clearly that it's too old. `make env`, `make lab`, and `make test` call it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ VENV = ROOT / ".venv"
 LOCK = ROOT / "requirements.lock"
 OLDEST, NEWEST = (3, 11), (3, 14)
 OLDEST_GLIBC = (2, 28)
-SECTIONS = ("build", "student", "dev", "torch", "tensorflow", "farm", "similar")
+SECTIONS = ("build", "student", "dev", "torch", "tensorflow", "farm", "similar", "site", "hub")
 STAMP = "workbook-environment.json"
 UNFINISHED = "workbook-unfinished"
 # Left behind by a sourced ROS or another environment; each would change what gets installed or found.
@@ -38,11 +38,11 @@ LEFTOVERS = (
 
 
 class EnvironmentProblem(Exception):
-    """The environment cannot be made here; the text says what is missing and where environment.md helps."""
+    """The environment can't be created here. The message says what is missing and which manual section helps."""
 
 
 def version_text(version: tuple[int, ...]) -> str:
-    """A version as people write it, 3.12."""
+    """Format a version tuple, such as 3.12."""
     return ".".join(str(part) for part in version)
 
 
@@ -53,9 +53,9 @@ def check_machine(
     version: tuple[int, ...] | None = None,
     implementation: str | None = None,
 ) -> None:
-    """Raise EnvironmentProblem when the wheels of rclpy cannot work on this machine.
+    """Raise EnvironmentProblem if the rclpy wheels can't work on this machine.
 
-    The arguments stand in for what this machine says of itself.
+    Each argument defaults to this machine's property; tests pass other values.
     """
     _check_platform(
         platform.system() if system is None else system, platform.machine() if machine is None else machine
@@ -125,7 +125,7 @@ def check_venv_module(uv: str | None) -> None:
 
 
 def read_sections(text: str) -> dict[str, dict[str, list[str]]]:
-    """The sections of the lock file: name → {requirement line: hash lines}."""
+    """Parse the lock file into its sections: name → {requirement line: hash lines}."""
     sections: dict[str, dict[str, list[str]]] = {}
     entries: dict[str, list[str]] = {}
     requirement = None
@@ -141,7 +141,7 @@ def read_sections(text: str) -> dict[str, dict[str, list[str]]]:
 
 
 def requirements(sections: dict[str, dict[str, list[str]]], names: list[str]) -> str:
-    """Plain requirements text with hashes for some sections; a package named in two of them appears once."""
+    """Return requirements text with hashes for the named sections. A package in two sections appears once."""
     merged: dict[str, list[str]] = {}
     for name in names:
         merged.update(sections[name])
@@ -152,7 +152,7 @@ def requirements(sections: dict[str, dict[str, list[str]]], names: list[str]) ->
 
 
 def digest() -> str:
-    """What the environment is made from, as one hash: the lock, the project file, and this recipe."""
+    """Hash the environment's inputs: lock file, project file, this module, and Jupyter's settings and extensions."""
     state = hashlib.sha256()
     here = Path(__file__)
     front_end = sorted(here.with_name("front_end").rglob("*.*s*"))
@@ -162,7 +162,7 @@ def digest() -> str:
 
 
 def read_stamp() -> dict[str, Any]:
-    """What a finished environment in `.venv` says of itself; empty when there is none or it is broken."""
+    """Load the stamp of `.venv`; empty if the environment is missing, unfinished, broken, or was moved."""
     try:
         stamp = json.loads((VENV / STAMP).read_text())
     except (OSError, ValueError):
@@ -172,7 +172,7 @@ def read_stamp() -> dict[str, Any]:
 
 
 def clean_environ() -> dict[str, str]:
-    """The environment for installers: without what a sourced ROS left, and with a quiet pip."""
+    """Return environment variables for installers: without a sourced ROS's leftovers, and with a quiet pip."""
     environ = {name: value for name, value in os.environ.items() if name not in LEFTOVERS}
     environ["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
     environ["PIP_ROOT_USER_ACTION"] = "ignore"
@@ -180,7 +180,7 @@ def clean_environ() -> dict[str, str]:
 
 
 def run(command: list[Any], what: str, temporary: str | None = None) -> None:
-    """Run a command with its output shown and temporary files in a folder; raises EnvironmentProblem when it fails."""
+    """Run a command with its output shown. `temporary` is its TMPDIR. Raise EnvironmentProblem if the command fails."""
     environ = clean_environ()
     if temporary is not None:
         environ["TMPDIR"] = temporary
@@ -194,14 +194,17 @@ def run(command: list[Any], what: str, temporary: str | None = None) -> None:
 
 
 def outside() -> str:
-    """This Python; if it is that of `.venv` (a terminal where that is active), the one that `.venv` was made with."""
+    """Return the path of this Python.
+
+    If `.venv` is active in the terminal, return the Python that created `.venv` instead.
+    """
     if Path(sys.prefix).resolve() != VENV.resolve():
         return sys.executable
     return str(getattr(sys, "_base_executable", sys.executable))
 
 
 def create(uv: str | None) -> None:
-    """An empty virtual environment in `.venv`, marked as unfinished."""
+    """Create an empty virtual environment in `.venv`, marked as unfinished."""
     python = outside()
     if VENV.is_symlink() or (VENV.exists() and not VENV.is_dir()):
         raise EnvironmentProblem("{} is not a folder. Move it away and try again.".format(VENV))
@@ -242,20 +245,20 @@ def install(uv: str | None, names: list[str]) -> None:
         ]
     sections = read_sections(LOCK.read_text())
     with tempfile.TemporaryDirectory() as folder:
-        # First what builds the rest: nothing is ever built with a package that the lock does not name.
+        # The build tools come first, so that no package is ever built with a tool that the lock doesn't pin.
         for number, part in enumerate((["build"], names)):
             listed = Path(folder) / "requirements-{}.txt".format(number)
             listed.write_text(requirements(sections, part))
             run([*pip, "--require-hashes", "-r", listed], "Installing the packages", folder)
-        # uv leaves the lock of what it builds where temporary files are.
+        # uv leaves its build lock in the temporary folder.
         run([*pip, "--no-deps", "--editable", ROOT], "Installing the workbook", folder)
     run([python, "-m", "workbook.lab.jupyter_files"], "Setting up Jupyter")
 
 
 def ensure(wanted: list[str], chosen_python: bool) -> bool:
-    """Make `.venv` hold the wanted sections; True when there was something to do.
+    """Install the wanted sections into `.venv`. Return False if the environment was already up to date.
 
-    `chosen_python`: the person named this Python, so an environment of another version is made anew.
+    `chosen_python`: the user chose this Python, so an environment with another version is re-created.
     """
     stamp = read_stamp()
     current = digest()
@@ -293,7 +296,7 @@ def ensure(wanted: list[str], chosen_python: bool) -> bool:
 
 
 def version_of(python: Path) -> str:
-    """The version of an interpreter, as 3.12; empty when there is none or it does not run."""
+    """Return an interpreter's version, such as 3.12; empty if the interpreter is missing or doesn't run."""
     command = [str(python), "-I", "-c", "import sys; print('%d.%d' % sys.version_info[:2])"]
     try:
         return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode().strip()
@@ -302,20 +305,22 @@ def version_of(python: Path) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Parse, make the environment, and turn an EnvironmentProblem into one line on stderr and exit code 1."""
+    """Parse the arguments and create the environment. Print an EnvironmentProblem to stderr and return exit code 1."""
     parser = argparse.ArgumentParser(description="Create the environment of the workbook in .venv.")
     parser.add_argument(
-        "--extras", default="", help="further sections of the lock: dev, torch, tensorflow, farm, similar"
+        "--extras",
+        default="",
+        help="further sections of the lock: dev, torch, tensorflow, farm, similar, site",
     )
     parser.add_argument(
-        "--chosen-python", action="store_true", help="make it anew if it has another Python version"
+        "--chosen-python", action="store_true", help="create it again if it has another Python version"
     )
     options = parser.parse_args(arguments)
     extras = re.findall(r"\w+", options.extras)
     unknown = [extra for extra in extras if extra not in SECTIONS]
     if unknown:
         parser.error(
-            "no extra is called {}; there are dev, torch, tensorflow, farm and similar".format(
+            "no extra is called {}; there are dev, torch, tensorflow, farm, similar and site".format(
                 ", ".join(unknown)
             )
         )
@@ -333,7 +338,10 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 class OneAtATime:
-    """Two `make` commands at once must not build the same folder: the second waits for the first."""
+    """A lock between `make` commands.
+
+    Two commands must not build the same folder at the same time, so the second waits for the first.
+    """
 
     def __enter__(self) -> None:
         self.handle = os.open(str(ROOT), os.O_RDONLY)
@@ -344,7 +352,7 @@ class OneAtATime:
                 print("Another make is creating the environment; waiting for it ...", flush=True)
                 fcntl.flock(self.handle, fcntl.LOCK_EX)
         except OSError:
-            pass  # a file system without locks: no harm, only no protection
+            pass  # a file system without locks: go on without the protection
 
     def __exit__(self, *exception: object) -> None:
         os.close(self.handle)

@@ -1,6 +1,6 @@
-"""The checks behind `workbook doctor`: what this machine has, and what to do about what it lacks.
+"""Check this machine for `workbook doctor`, and suggest a fix for each problem.
 
-Each check returns one HealthFinding and may raise: `examine` turns an exception into a finding that says so.
+Each check returns one HealthFinding. If a check raises, `examine` reports the exception as a finding.
 """
 
 import os
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
 Status = Literal["ok", "note", "fix"]
 PING_PUBLISHER = Path(__file__).with_name("ping_publisher.py")
 PING_LIMIT_S = 40.0
-"""Only an upper bound: with a cold disk and a busy processor, a program needs many seconds to start."""
+"""An upper bound: with a cold disk and a busy processor, a program takes many seconds to start."""
 KERNEL_LIMIT_S = 50.0
-"""Only an upper bound, as above; a kernel imports IPython as well."""
+"""An upper bound, too; a kernel also imports IPython."""
 GIB = 2**30
 
 
 @dataclass(frozen=True)
 class HealthFinding:
-    """One line of the report: `fix` must be fixed, `note` is worth knowing."""
+    """One line of the report. A `fix` needs to be fixed; a `note` is worth knowing."""
 
     status: Status
     title: str
@@ -39,7 +39,7 @@ class HealthFinding:
 
 
 def check_python() -> HealthFinding:
-    """Interpreter and system."""
+    """Check the interpreter and the operating system."""
     from workbook.exercise.course import is_from_wheel
     from workbook.lab.bootstrap import EnvironmentProblem, check_machine
 
@@ -49,7 +49,7 @@ def check_python() -> HealthFinding:
             "note",
             "Python",
             f"{saw}, outside any environment",
-            "Install the course into an environment of its own."
+            "Install the course into its own environment."
             if is_from_wheel()
             else "The wheels route uses .venv/bin/workbook.",
         )
@@ -64,14 +64,14 @@ def check_python() -> HealthFinding:
 
 
 def leftovers(environ: Mapping[str, str]) -> list[str]:
-    """Names of variables that a sourced ROS or another environment left, without those that we set ourselves."""
+    """Return the names of variables left by a sourced ROS or another environment, except our own."""
     from workbook.ros.environment import is_leftover
 
     return sorted(name for name in environ if is_leftover(name))
 
 
 def check_leftovers(names: list[str]) -> HealthFinding:
-    """What the shell carries from a sourced ROS; our own processes drop it."""
+    """Report variables that a sourced ROS left in the shell. Our own processes drop them."""
     from workbook.ros.environment import uses_wheels
 
     if not names:
@@ -88,7 +88,7 @@ def check_leftovers(names: list[str]) -> HealthFinding:
 
 
 def check_rclpy() -> HealthFinding:
-    """rclpy imports, from the right place, and speaks through an RMW we know."""
+    """Check that rclpy imports from the right folder, and report its RMW."""
     import rclpy
     import std_msgs.msg
 
@@ -109,8 +109,33 @@ def check_rclpy() -> HealthFinding:
     )
 
 
+def check_route(rclpy_folder: Path, system: str) -> HealthFinding:
+    """Report where ROS comes from if not from the wheels, and how that installation differs.
+
+    `system` is a value of `platform.system()`.
+    """
+    is_conda = any((parent / "conda-meta").is_dir() for parent in rclpy_folder.parents)
+    source = "RoboStack's conda packages" if is_conda else f"the packages in {rclpy_folder.parent}"
+    differs = [
+        "The lock file isn't used, so versions differ from ours.",
+        "A message field with a value of a wrong type may end the whole process where our wheels send 0.0.",
+    ]
+    if system != "Linux":
+        differs.append(
+            f"On {system}, lessons run, but %check and grading don't: they need Linux's /proc and abstract sockets."
+        )
+    differs.append("`environment.md` describes this route.")
+    return HealthFinding("note", "Route", f"ROS comes from {source}, not from the wheels", " ".join(differs))
+
+
+def _route() -> HealthFinding:
+    import rclpy
+
+    return check_route(Path(rclpy.__file__).resolve().parent, platform.system())
+
+
 def check_domain() -> HealthFinding:
-    """A domain can be leased, and a second lease of it is refused."""
+    """Check that a domain can be leased and that a second lease of it is refused."""
     from workbook.ros.domains import lease_domain
 
     with lease_domain() as first, lease_domain(first.domain_id) as second:
@@ -127,7 +152,7 @@ def check_domain() -> HealthFinding:
 
 
 def check_loopback() -> HealthFinding:
-    """A UDP packet sent to 127.0.0.1 arrives."""
+    """Check that a UDP packet sent to 127.0.0.1 arrives."""
     with (
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver,
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,
@@ -148,7 +173,7 @@ def check_loopback() -> HealthFinding:
 
 
 def check_folders() -> HealthFinding:
-    """Home, temporary folder and shared memory can be written, with room left."""
+    """Check that the home folder, the temporary folder, and shared memory are writable and have space left."""
     temporary = Path(tempfile.gettempdir())
     saw = []
     for name, folder, needed in (
@@ -178,10 +203,12 @@ def check_folders() -> HealthFinding:
 
 
 def check_two_processes() -> HealthFinding:
-    """Another process publishes, this one receives it."""
+    """Check that this process receives messages that another process publishes."""
     record, took = _receive_ping()
     if took is not None:
-        return HealthFinding("ok", "Two processes", f"a node in another process was heard after {took:.1f} s")
+        return HealthFinding(
+            "ok", "Two processes", f"a node in another process was discovered after {took:.1f} s"
+        )
     said = record.log.strip().splitlines()
     last = f" It said: {said[-1]}" if said else ""
     if record.ended_by == "itself":
@@ -196,13 +223,13 @@ def check_two_processes() -> HealthFinding:
     return HealthFinding(
         "fix",
         "Two processes",
-        f"nothing was heard from another process in {PING_LIMIT_S:.0f} s.{last}",
+        f"nothing was received from another process in {PING_LIMIT_S:.0f} s.{last}",
         "A firewall or VPN often filters multicast and UDP on 127.0.0.1. See 'When something fails' in environment.md.",
     )
 
 
 def _receive_ping() -> "tuple[ProcessRecord, float | None]":
-    """Start a publisher. Returns how it ran, and after how many seconds its first message came (None: never)."""
+    """Start a publisher. Return its process record, and the time (s) until its first message (None: no message)."""
     import rclpy
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
@@ -246,19 +273,19 @@ f"domain {os.environ.get('ROS_DOMAIN_ID')} magics {'workbook.magics' in get_ipyt
 
 
 def check_kernel() -> HealthFinding:
-    """A Jupyter kernel starts, with a domain and the magics."""
+    """Check that a Jupyter kernel starts with a domain and the magics."""
     from jupyter_client.manager import start_new_kernel
 
     started = time.monotonic()
     manager, client = start_new_kernel(startup_timeout=KERNEL_LIMIT_S, kernel_name="python3")
     try:
-        # The reply comes for sure; what a cell prints may be missed by a client that has just connected.
+        # A client that has just connected may miss a cell's printed output, but it always gets the reply.
         reply = client.execute(
             _CELL, reply=True, timeout=KERNEL_LIMIT_S, user_expressions={"said": _SAID.strip()}
         )["content"]
         took = time.monotonic() - started
     finally:
-        manager.shutdown_wait_time = KERNEL_LIMIT_S  # one that is killed leaves its folders
+        manager.shutdown_wait_time = KERNEL_LIMIT_S  # a killed kernel leaves its folders behind
         manager.shutdown_kernel()
         client.stop_channels()
     told = reply.get("user_expressions", {}).get("said", {})
@@ -279,7 +306,7 @@ def check_kernel() -> HealthFinding:
 
 
 def check_machine_size() -> HealthFinding:
-    """Processors and memory."""
+    """Report the number of processors and the memory."""
     processors = len(os.sched_getaffinity(0))
     memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / GIB
     saw = f"{processors} processor{'s' if processors != 1 else ''}, {memory:.1f} GB of memory"
@@ -291,7 +318,7 @@ def check_machine_size() -> HealthFinding:
 
 
 def chromium() -> str | None:
-    """The Chromium that the browser tests use, if there is one."""
+    """Return the path of the Chromium that the browser tests use; None if there is none."""
     for name in (
         "chromium-headless-shell",
         "chromium",
@@ -305,7 +332,7 @@ def chromium() -> str | None:
 
 
 def check_chromium() -> HealthFinding:
-    """A browser for the tests: for authors only."""
+    """Check for the browser that the tests use. Only authors need it."""
     found = chromium()
     if found:
         return HealthFinding("ok", "Chromium", found)
@@ -315,7 +342,7 @@ def check_chromium() -> HealthFinding:
 
 
 def check_sandbox() -> HealthFinding:
-    """How well untrusted programs can be confined: for instructors only."""
+    """Check how well untrusted programs can be confined. Only instructors need this."""
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
     from workbook.isolation.memory_groups import groups_in_words
     from workbook.isolation.tiers import covers, leaves_open, unfiltered
@@ -339,7 +366,7 @@ def check_sandbox() -> HealthFinding:
 
 
 def examine(environ: Mapping[str, str] | None = None) -> Iterator[HealthFinding]:
-    """Every finding, as it is made. Sets up this process for ROS before the first check that needs it."""
+    """Run all checks and yield their findings. Set up this process for ROS before the first check that needs it."""
     found = leftovers(os.environ if environ is None else environ)
     from workbook.lab.packages import check_packages
 
@@ -352,8 +379,12 @@ def examine(environ: Mapping[str, str] | None = None) -> Iterator[HealthFinding]
     yield from _made("Domains", check_domain)
     from workbook.ros.environment import prepare
 
-    with suppress(Exception):  # what goes wrong here shows in the checks that follow
+    with suppress(Exception):  # the checks that follow report any failure
         prepare()
+    from workbook.ros.environment import uses_wheels
+
+    if not uses_wheels():
+        yield from _made("Route", _route)
     for title, check in (
         ("rclpy", check_rclpy),
         ("Two processes", check_two_processes),

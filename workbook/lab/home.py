@@ -1,6 +1,6 @@
-"""The home page: the course as a map. JupyterLab's server delivers it, `front_end/home/home.js` shows it in a tab.
+"""Serve the home page, a map of the course. `front_end/home/home.js` shows it in a JupyterLab tab.
 
-`make env` registers this module as an extension of the server (workbook/lab/jupyter_files.py).
+`make env` registers this module as a server extension (workbook/lab/jupyter_files.py).
 """
 
 import asyncio
@@ -20,7 +20,8 @@ from workbook.exercise.definition import BrokenCriteria
 from workbook.lab.work_folder import ANSWERS, STATE
 from workbook.lesson.best_answers import BEST, NothingJudged, restore_best
 from workbook.lesson.course_map import CourseMap, course_map
-from workbook.lesson.progress import progress_file
+from workbook.lesson.progress import LessonProgress, all_progress, progress_file
+from workbook.lesson.sealed_predictions import all_predictions
 from workbook.templating import render
 
 TOUR_SEEN = Path(".state", "tour_seen")
@@ -30,24 +31,29 @@ PARTS = (
     (14, "Part three", "Python's world"),
     (20, "Part four", "A body"),
 )
-"""Number of the first lesson, name and title of each part of the course."""
+"""The number of the first lesson, the name, and the title of each part of the course."""
+MOST_MISSING = 4
+"""If at most this many cells are left to read in a lesson, the page links to them."""
 
 
 @dataclass(frozen=True)
 class Desk:
-    """Where a student works, as a Jupyter server sees it. `prefix`: its folder below the server's, as in a link."""
+    """A student's work folder. `prefix`: its path relative to the Jupyter server's root, as used in links."""
 
     folder: Path
     prefix: str
 
     @property
     def answers(self) -> Path:
-        """The folder of answers."""
+        """The folder with the student's answers."""
         return self.folder / ANSWERS
 
 
 def desk_below(root: Path) -> Desk:
-    """The student's copy: the server's folder, `work/` in it, or a folder above; else the course's own `work/`."""
+    """Find the student's copy: the server's folder, its `work/`, or a parent folder.
+
+    If none of them is a copy, return the course's `work/`; without that, return the course folder.
+    """
     root = root.resolve()
     course = course_folder().resolve()
     for folder in (root, root / "work", *root.parents, course / "work"):
@@ -63,7 +69,7 @@ def desk_below(root: Path) -> Desk:
 
 
 def page(desk: Desk) -> str:
-    """The home page as HTML, to be put into a tab."""
+    """Render the home page as HTML."""
     course = course_map(answers=desk.answers)
     return render(
         "lab/home",
@@ -71,12 +77,13 @@ def page(desk: Desk) -> str:
         parts=list(_parts(course)),
         prefix=desk.prefix,
         next=course.next_lesson,
+        most_missing=MOST_MISSING,
         signs={"done": "✓", "begun": "◐", "open": ""},
     )
 
 
 def _parts(course: CourseMap) -> Iterable[tuple[str, str, list[Any]]]:
-    """Name, title and lessons of each part that has lessons."""
+    """Yield the name, title, and lessons of each part that has lessons."""
     for (first, name, title), (end, _, _) in zip(PARTS, (*PARTS[1:], (100, "", "")), strict=True):
         lessons = [one for one in course.lessons if first <= int(one.stem[:2]) < end]
         if lessons:
@@ -84,7 +91,10 @@ def _parts(course: CourseMap) -> Iterable[tuple[str, str, list[Any]]]:
 
 
 def fingerprint(desk: Desk) -> str:
-    """Changes whenever the page may have changed: when progress, an answer or its best version was written."""
+    """Return a value that changes whenever the page may have changed.
+
+    It changes when progress, an answer, a best version, or a lesson is written.
+    """
     course = course_folder()
     files = [
         progress_file(desk.answers),
@@ -103,10 +113,10 @@ def fingerprint(desk: Desk) -> str:
 
 
 class WorkbookHandler(JupyterHandler):
-    """What all addresses below `/workbook/` share."""
+    """Base class of the handlers for addresses below `/workbook/`."""
 
     def desk(self) -> Desk:
-        """Where the student works. Raises web.HTTPError when the course is not there."""
+        """Return the student's work folder. Raise web.HTTPError if there is no course."""
         try:
             return desk_below(Path(self.settings["server_root_dir"]).expanduser())
         except NoCourse as error:
@@ -114,11 +124,11 @@ class WorkbookHandler(JupyterHandler):
 
 
 class HomeHandler(WorkbookHandler):
-    """The page, or nothing new (304)."""
+    """Handles requests for the home page."""
 
     @web.authenticated
     async def get(self) -> None:
-        """Answer with the page, or with 304."""
+        """Send the page, or status 304 if it hasn't changed."""
         desk = self.desk()
         tag = f'"{fingerprint(desk)}"'
         self.set_header("Cache-Control", "no-cache")
@@ -136,11 +146,11 @@ class HomeHandler(WorkbookHandler):
 
 
 class RestoreHandler(WorkbookHandler):
-    """Puts the best version of an answer back."""
+    """Handles requests to restore the best version of an answer."""
 
     @web.authenticated
     async def post(self) -> None:
-        """Put the best version of the exercise that is named back, and say so."""
+        """Restore the best version of the named exercise's answer, and send a confirmation."""
         desk = self.desk()
         asked = json.loads(self.request.body or b"{}")
         stem = str(asked.get("exercise", ""))
@@ -158,17 +168,34 @@ class RestoreHandler(WorkbookHandler):
         self.finish(json.dumps({"said": said}))
 
 
-class TourHandler(WorkbookHandler):
-    """Whether the tour was seen, and that it was."""
+class PredictionsHandler(WorkbookHandler):
+    """Handles requests for a lesson's predictions: the student's choices, and only the outcomes already shown."""
 
     @web.authenticated
     async def get(self) -> None:
-        """Say whether the tour was seen."""
+        """Send the letters, by prediction name."""
+        progress = all_progress(self.desk().answers).get(
+            self.get_query_argument("lesson", ""), LessonProgress()
+        )
+        choices = progress.predictions
+        known = all_predictions() if progress.outcomes_seen else {}
+        outcomes = {
+            name: known[name].usual for name in progress.outcomes_seen if name in known and name in choices
+        }
+        self.finish(json.dumps({"choices": choices, "outcomes": outcomes}))
+
+
+class TourHandler(WorkbookHandler):
+    """Store and report whether the student has seen the tour."""
+
+    @web.authenticated
+    async def get(self) -> None:
+        """Send whether the student has seen the tour."""
         self.finish(json.dumps({"seen": (self.desk().folder / TOUR_SEEN).exists()}))
 
     @web.authenticated
     async def post(self) -> None:
-        """Note that the tour was seen."""
+        """Store that the student has seen the tour."""
         file = self.desk().folder / TOUR_SEEN
         file.parent.mkdir(parents=True, exist_ok=True)
         file.touch()
@@ -181,7 +208,12 @@ def _jupyter_server_extension_points() -> list[dict[str, str]]:
 
 def _load_jupyter_server_extension(server: Any) -> None:
     base = server.web_app.settings["base_url"]
-    handlers = {"home": HomeHandler, "restore": RestoreHandler, "tour": TourHandler}
+    handlers = {
+        "home": HomeHandler,
+        "restore": RestoreHandler,
+        "tour": TourHandler,
+        "predictions": PredictionsHandler,
+    }
     server.web_app.add_handlers(
         ".*$", [(url_path_join(base, "workbook", name), handler) for name, handler in handlers.items()]
     )

@@ -1,14 +1,14 @@
-"""Puts Jupyter's settings into the environment, where JupyterLab, VS Code and nbval all find them.
+"""Write Jupyter's settings into the environment, where JupyterLab, VS Code, and nbval all find them.
 
-In a clone, the bootstrap runs it inside the environment: `python -m workbook.lab.jupyter_files`. An environment with
-the wheel gets the settings from the first `rclpy-workbook lab`.
+In a clone, the bootstrap runs `python -m workbook.lab.jupyter_files` inside the environment. If the workbook comes from
+a wheel, the first `rclpy-workbook lab` writes the settings.
 """
 
 import json
 import sys
 from pathlib import Path
 
-# Runs in every kernel of this environment, whichever program starts it: lessons need no set-up cell.
+# Every kernel of this environment runs this, whichever program starts it, so lessons need no setup cell.
 KERNEL_CONFIG = """\
 # Written by the rclpy workbook. Sets up ROS and the magics in each kernel of this environment.
 c = get_config()  # noqa: F821
@@ -22,7 +22,7 @@ else:
     configure(c)
 """
 
-# JupyterLab as a learner should meet it: no questions on the first start, nothing fetched from a network.
+# Settings for learners: JupyterLab asks nothing on the first start and fetches nothing from the network.
 LAB_SETTINGS = {
     "@jupyterlab/apputils-extension:notification": {
         "fetchNews": "false",
@@ -34,30 +34,33 @@ LAB_SETTINGS = {
         "defaultViewers": {"markdown": "Markdown Preview"},
     },
     "@jupyterlab/extensionmanager-extension:plugin": {"enabled": False},
-    # Kept in the notebook, the state of a widget makes it "unsaved" as soon as it is opened again. Without it, the
-    # front end shows the text of the widget (desk.js).
+    # A notebook with saved widget state counts as unsaved as soon as it's opened again. Without that state, the front
+    # end shows the widget's text instead (desk.js).
     "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": False},
-    # JupyterLab 4.6 would take "contentVisibility": a third less work for the browser, and once an empty page.
+    # JupyterLab 4.6 defaults to "contentVisibility": a third less work for the browser, but once an empty page.
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer", "kernelShutdown": True},
-    # The whole width of the column is for the names.
+    # File names get the whole width of the column.
     "@jupyterlab/filebrowser-extension:browser": {"showLastModifiedColumn": False},
 }
 
 FRONT_END = Path(__file__).with_name("front_end")
-"""What JupyterLab itself loads: tells the kernel which answer is on the screen. Each folder in it is an extension of
-its own, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into `static/`."""
+"""The extension that JupyterLab loads. It tells the kernel which answer is on the screen.
 
-# The server's part of the home page and of the panel.
+Each subfolder is a separate extension, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into
+`static/`.
+"""
+
+# The server extensions for the home page and the panel.
 SERVER_SETTINGS = {
     "ServerApp": {"jpserver_extensions": {"workbook.lab.home": True, "workbook.lab.panel": True}}
 }
 
-# An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
+# If this guard variable is empty, the wheels find their own libraries, even if Jupyter runs in another environment.
 KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}
 
 
 def kernel_spec(python: str) -> dict[str, object]:
-    """The `python3` kernel of this environment, for any Jupyter that lists it."""
+    """Return the spec of this environment's `python3` kernel, for any Jupyter that lists it."""
     return {
         "argv": [python, "-Xfrozen_modules=off", "-m", "ipykernel_launcher", "-f", "{connection_file}"],
         "display_name": "rclpy workbook",
@@ -68,11 +71,11 @@ def kernel_spec(python: str) -> dict[str, object]:
 
 
 def install(prefix: Path, python: str) -> list[Path]:
-    """Write the settings below an environment's folder and return their files.
+    """Write the settings below an environment's folder and return their paths.
 
-    A file that is up to date stays, so a student can use an environment that only an administrator can write. Each
-    other becomes a new file: uv links what it installs to its cache, so one that is written into would change in every
-    other environment as well.
+    Up-to-date files aren't written, so a student can use an environment that only an administrator can write to. Every
+    other file is replaced by a new one, because uv links installed files to its cache. Writing into such a file would
+    change it in every other environment, too.
     """
     kernels = prefix / "share" / "jupyter" / "kernels" / "python3"
     extension = prefix / "share" / "jupyter" / "labextensions" / "rclpy-workbook"
@@ -86,8 +89,9 @@ def install(prefix: Path, python: str) -> list[Path]:
         ),
         kernels / "kernel.json": json.dumps(kernel_spec(python), indent=1),
         extension / "package.json": (FRONT_END / "package.json").read_text(encoding="utf-8"),
-        extension / "static" / "answers.js": (FRONT_END / "answers.js").read_text(encoding="utf-8"),
     }
+    for script in sorted(FRONT_END.glob("*.js")):
+        files[extension / "static" / script.name] = script.read_text(encoding="utf-8")
     for own in sorted(path.parent for path in FRONT_END.glob("*/package.json")):
         place = extension.with_name(f"{extension.name}-{own.name}")
         for file in sorted(own.iterdir()):

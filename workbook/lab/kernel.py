@@ -1,4 +1,4 @@
-"""What happens in each kernel before its first cell."""
+"""Set up each kernel before its first cell runs."""
 
 import logging
 import os
@@ -8,23 +8,28 @@ from typing import Any
 
 MAGICS = "workbook.magics"
 STATE = Path(".state", "delivered.json")
-"""What the student's copy has, beside `notebooks/` (see `work_folder`, which this module does not wait for)."""
+"""Marks the student's copy, next to `notebooks/`. Defined again here, because importing `work_folder` takes time."""
 _START = "from workbook.lab.kernel import start as _start; _start(get_ipython()); del _start"
+
+RESTART = (
+    "The course is installed. Now restart the kernel (in Colab: Runtime > Restart session) and run this cell again: "
+    "only a Python that starts after the installation finds ROS's libraries."
+)
 
 _problems: list[str] = []
 
 
 def configure(config: Any) -> None:
-    """Set up the ROS environment of this process and have the magics loaded when the shell is there.
+    """Set up this process's ROS environment, and have IPython load the magics once the shell exists.
 
-    `config` is IPython's configuration object. Never raises: a kernel that starts and says what is wrong is
-    more use than one that does not start.
+    `config` is IPython's configuration object. This function never raises, because a kernel that starts and reports the
+    problem is more useful than one that doesn't start.
     """
-    # With this variable set (by nbval) ipykernel does not capture what C code writes, and so no ROS logs.
+    # If this variable is set (by nbval), ipykernel doesn't capture the output of C code, so ROS logs would be missing.
     os.environ.pop("PYTEST_CURRENT_TEST", None)
     config.IPKernelApp.log_level = (
         logging.ERROR
-    )  # a warning about local TCP at each start tells a learner nothing
+    )  # learners can't use the warning about local TCP at each start
     config.InteractiveShellApp.exec_lines.append(_START)
     try:
         from workbook.ros.environment import prepare, uses_wheels
@@ -38,8 +43,23 @@ def configure(config: Any) -> None:
         )
 
 
+def load_ipython_extension(shell: Any) -> None:
+    """Set up a kernel that hasn't read our configuration: `%load_ext workbook.lab.kernel`, before ROS is imported.
+
+    The wheels set the search path for ROS's libraries when Python starts. If they were installed after that, the path
+    is missing, so we ask the reader to restart the kernel.
+    """
+    from workbook.ros.environment import library_path, prepare, uses_wheels
+
+    if uses_wheels() and not library_path(os.environ):
+        print(RESTART)
+        return
+    prepare()
+    start(shell)
+
+
 def forget_search_path() -> None:
-    """Take what PYTHONPATH brought off `sys.path`: a sourced ROS would otherwise hide the rclpy of the wheels."""
+    """Remove PYTHONPATH's entries from `sys.path`, because a sourced ROS would hide the wheels' rclpy."""
     foreign = {
         os.path.abspath(entry) for entry in os.environ.get("PYTHONPATH", "").split(os.pathsep) if entry
     }
@@ -47,7 +67,7 @@ def forget_search_path() -> None:
 
 
 def start(shell: Any) -> None:
-    """Load the magics into IPython's shell; whatever went wrong is said above the output of the first cell."""
+    """Load the magics into IPython's shell. Problems are printed above the first cell's output."""
     try:
         leave_the_lessons(Path.cwd())
     except OSError as error:
@@ -64,7 +84,7 @@ def start(shell: Any) -> None:
 
 
 def leave_the_lessons(folder: Path) -> None:
-    """In the student's copy, work in `scratch/` beside the lessons: what a lesson writes does not lie among them."""
+    """Change to `scratch/` in the student's copy, so that a lesson's files don't end up among the lessons."""
     if folder.name == "notebooks" and (folder.parent / STATE).is_file():
         scratch = folder.parent / "scratch"
         scratch.mkdir(exist_ok=True)

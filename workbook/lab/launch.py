@@ -1,4 +1,4 @@
-"""Starting JupyterLab on the student's copy."""
+"""Launch JupyterLab on the student's copy."""
 
 import os
 import shutil
@@ -14,14 +14,14 @@ from workbook.lab.work_folder import STATE, WorkFolderUpdate, first_lesson, upda
 from workbook.ros.environment import is_leftover, uses_wheels
 
 NEW_COPY = "rclpy-workbook"
-"""Folder that a wheel makes for the student's copy where other files are already."""
+"""With a wheel, the folder created for the student's copy if the current folder isn't empty."""
 
 
 def student_folder() -> Path:
-    """The student's own copy: `work/` in a clone's folder. Raises NoCourse.
+    """Return the folder of the student's copy: in a clone, `work/`. Raise NoCourse if there is no course.
 
-    A wheel's copy is where the student stands: in a copy or below it, in an empty folder, or else in a folder
-    `rclpy-workbook` next to the files that are there.
+    With a wheel, it's the current folder or the nearest parent that is a copy. Without one, it's the current folder if
+    that is empty and isn't the home folder, else its subfolder `rclpy-workbook`.
     """
     course = course_folder()
     if not is_from_wheel():
@@ -35,9 +35,9 @@ def student_folder() -> Path:
 
 
 def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
-    """Bring the student's copy up to date and, if the package came in a wheel, Jupyter's settings as well.
+    """Update the student's copy and, if the package came in a wheel, Jupyter's settings.
 
-    In a clone, `make env` writes the settings. Raises CannotLaunch.
+    In a clone, `make env` writes the settings. Raise CannotLaunch if a file can't be written.
     """
     if is_from_wheel():
         try:
@@ -45,7 +45,7 @@ def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
         except OSError as error:
             raise CannotLaunch(
                 f"Jupyter's settings cannot be written to {sys.prefix} ({error.strerror}). "
-                "Install rclpy-workbook into an environment of your own (python3 -m venv)."
+                "Install rclpy-workbook into a separate environment (python3 -m venv)."
             ) from error
     try:
         return update_work_folder(course, work)
@@ -57,11 +57,11 @@ def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
 
 
 class CannotLaunch(RuntimeError):
-    """JupyterLab cannot start; the text says why and what to do."""
+    """JupyterLab can't start. The message says why and what to do."""
 
 
 def option(arguments: Sequence[str], *names: str) -> str | None:
-    """The value of a command line option written `--name=value` or `--name value`; the last one counts."""
+    """Return the value of an option (`--name=value` or `--name value`), the last if repeated; None if absent."""
     found = None
     for position, argument in enumerate(arguments):
         name, equals, value = argument.partition("=")
@@ -72,7 +72,7 @@ def option(arguments: Sequence[str], *names: str) -> str | None:
 
 
 def check_port(arguments: Sequence[str]) -> None:
-    """Raise CannotLaunch when the person asked for a port that is no number or is taken."""
+    """Raise CannotLaunch if the user asked for a port that is invalid or in use."""
     wanted = option(arguments, "--port", "--ServerApp.port")
     if wanted is None:
         return
@@ -95,7 +95,7 @@ def check_port(arguments: Sequence[str]) -> None:
 
 
 def check_folders() -> None:
-    """Raise CannotLaunch when Jupyter or IPython cannot write where they keep their files."""
+    """Raise CannotLaunch if Jupyter's or IPython's own folders aren't writable."""
     from jupyter_core.paths import jupyter_config_dir, jupyter_data_dir, jupyter_runtime_dir
 
     ipython = os.environ.get("IPYTHONDIR") or os.path.expanduser("~/.ipython")
@@ -112,9 +112,11 @@ def check_folders() -> None:
 
 
 def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
-    """The JupyterLab command; what the person passes comes last and so wins."""
-    line = [sys.executable, "-P", "-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
-    # Named, it is no login shell: that would put /etc/profile's PATH in the place of the environment's.
+    """Return the JupyterLab command. The user's arguments come last, so they take precedence."""
+    # JupyterHub sets this variable when it starts us. Its own variant of JupyterLab then asks the hub who may log in.
+    module = "jupyterhub.singleuser" if "JUPYTERHUB_SERVICE_URL" in os.environ else "jupyterlab"
+    line = [sys.executable, "-P", "-m", module, "--log-level=WARN", f"--ServerApp.root_dir={work}"]
+    # if we name the shell, it isn't a login shell, which would replace the environment's PATH with /etc/profile's
     shell = os.environ.get("SHELL") or shutil.which("bash") or "/bin/sh"
     line.append(f"--ServerApp.terminado_settings={{'shell_command': [{shell!r}]}}")
     if lesson is not None:
@@ -125,7 +127,7 @@ def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_us
 
 
 def lab_environment(environ: Mapping[str, str]) -> dict[str, str]:
-    """The environment for JupyterLab and its kernels: without what a sourced ROS left, on the wheels route."""
+    """Return environment variables for JupyterLab and its kernels. With the wheels, drop a sourced ROS's leftovers."""
     clean = {name: value for name, value in environ.items() if not (uses_wheels() and is_leftover(name))}
     clean.pop("PYTHONDONTWRITEBYTECODE", None)
     clean["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), clean.get("PATH", os.defpath)])
@@ -133,7 +135,7 @@ def lab_environment(environ: Mapping[str, str]) -> dict[str, str]:
 
 
 def launch(arguments: Sequence[str]) -> int:
-    """Bring `work/` up to date and become JupyterLab; returns only when that is impossible (exit code)."""
+    """Update `work/` and replace this process with JupyterLab. Return an exit code only if that fails."""
     try:
         check_port(arguments)
         check_folders()
@@ -144,7 +146,7 @@ def launch(arguments: Sequence[str]) -> int:
     except (CannotLaunch, NoCourse) as problem:
         print(f"workbook lab: {problem}", file=sys.stderr)
         return 1
-    # On later starts, JupyterLab without a notebook in its address opens at home.
+    # On later starts, no notebook is named, so JupyterLab opens the home page.
     lesson = first_lesson(course) if first_start else None
     print(f"Your notebooks are in {work}. Stop JupyterLab with Ctrl-C here.", flush=True)
     os.chdir(work)

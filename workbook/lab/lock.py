@@ -1,9 +1,9 @@
-"""Writes requirements.lock: every package with its hashes, in sections, for Python 3.11 to 3.14.
+"""Write requirements.lock: every package with its hashes, in sections, for Python 3.11 to 3.14.
 
-The file is plain requirements text. A line `#: dev` opens a section; `build` and `student` give a student's
-environment, and each further section adds to it. Later sections are resolved under the versions of the
-earlier ones, so any choice of sections fits together. No registry is named: the installer's own configuration
-decides. `make lock` runs this.
+The file is plain requirements text. A line such as `#: dev` opens a section. `build` and `student` make up a student's
+environment, and each further section adds to it. Later sections are resolved with the earlier sections' versions, so
+any choice of sections fits together. The file names no registry, because the installer's own configuration decides.
+`make lock` runs this module.
 """
 
 from __future__ import annotations
@@ -17,15 +17,16 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "requirements.lock"
-EXTRAS = ("dev", "torch", "tensorflow", "farm", "similar")
-# What builds the project itself and packages without a wheel, and pip for the student's `%pip install`.
+EXTRAS = ("dev", "torch", "tensorflow", "farm", "similar", "site", "hub")
+# Build tools for the project itself and for packages without a wheel, and pip for the student's `%pip install`.
 BUILD = ("flit_core>=3.11", "setuptools>=78", "pip>=25")
 HEADER = """\
 # Every package of the environment, pinned, with hashes, for CPython 3.11 to 3.14 on Linux x86_64.
 # Written by `make lock` from pyproject.toml; do not edit. A line that starts with `#:` opens a section:
-# build and student are what `make env` installs, `make test` adds dev, farm and similar, `make env EXTRAS=X` adds X.
+# build and student are what `make env` installs, `make test` adds dev, farm and similar, and
+# `make env EXTRAS=X` adds X.
 """
-# True on every machine this file is for: the lines need not say so.
+# These markers hold on every supported machine, so the lock file omits them.
 _ALWAYS = {
     "platform_machine == 'x86_64'", "sys_platform == 'linux'", "python_full_version < '3.15'",
     "implementation_name == 'cpython'", "platform_python_implementation == 'CPython'",
@@ -36,7 +37,7 @@ Entry = dict[str, str]  # requirement line (name, version, marker) → its hash 
 
 
 def parse(text: str) -> Entry:
-    """Requirement lines and their hashes, from the output of `uv pip compile --generate-hashes`."""
+    """Parse the output of `uv pip compile --generate-hashes` into requirement lines and their hashes."""
     entries: Entry = {}
     for block in re.split(r"\n(?=[A-Za-z0-9])", text.strip()):
         first, *hashes = [
@@ -51,7 +52,7 @@ def parse(text: str) -> Entry:
 
 
 def compile_requirements(uv: str, source: str, *arguments: str) -> str:
-    """What `uv pip compile` resolves for a requirements text or `pyproject.toml`; else SystemExit."""
+    """Run `uv pip compile` on requirements text or `pyproject.toml`. Return the output; raise SystemExit on failure."""
     command = [
         uv, "pip", "compile", "--universal", "--python-version", "3.11", "--generate-hashes", "--no-annotate",
         "--no-header", "--quiet", *arguments,
@@ -66,7 +67,7 @@ def compile_requirements(uv: str, source: str, *arguments: str) -> str:
 
 
 def section(name: str, entries: Entry) -> str:
-    """One section of the lock file as text."""
+    """Format one section of the lock file."""
     lines = [f"\n#: {name}"]
     for requirement, hashes in sorted(entries.items()):
         lines.append(" \\\n".join([requirement, *(f"    {line}" for line in hashes.splitlines())]))
@@ -74,7 +75,7 @@ def section(name: str, entries: Entry) -> str:
 
 
 def main() -> None:
-    """Resolve anew and write the lock file."""
+    """Resolve all versions again and write the lock file."""
     uv = shutil.which("uv")
     if uv is None:
         raise SystemExit("make lock needs uv on the PATH (only those who change the dependencies need it).")
@@ -86,7 +87,7 @@ def main() -> None:
         student = parse(student_text)
         sections = {"build": build, "student": {line: h for line, h in student.items() if line not in build}}
         known = {**build, **student}
-        # All extras are resolved once, together, so that they fit each other too.
+        # All extras are first resolved together, so that they're compatible with each other, too.
         flags = [flag for extra in EXTRAS for flag in ("--extra", extra)]
         everything = compile_requirements(uv, "pyproject.toml", *flags, "--constraint", str(constraints))
         constraints.write_text(

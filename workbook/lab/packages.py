@@ -1,4 +1,4 @@
-"""The packages of this environment: which are missing, and which differ from requirements.lock."""
+"""Find packages of this environment that are missing or differ from requirements.lock."""
 
 import shlex
 import sys
@@ -13,7 +13,7 @@ from workbook.lab.health import HealthFinding
 from workbook.ros.environment import uses_wheels
 
 ROS = "ros-"
-"""Packages whose names begin like this are the wheels of ROS. The judge relies on their exact versions."""
+"""Prefix of the ROS wheels' package names. The judge relies on their exact versions."""
 _MOST = 6
 
 
@@ -27,7 +27,7 @@ class Differing:
 
 
 def locked_versions(lock: str) -> dict[str, str]:
-    """Versions of a student's packages on this Python, by name, from the text of the lock file."""
+    """Parse the lock file's text, and return the versions of a student's packages for this Python, by name."""
     from packaging.requirements import Requirement
 
     versions = {}
@@ -40,7 +40,7 @@ def locked_versions(lock: str) -> dict[str, str]:
 
 
 def installed_version(name: str) -> str | None:
-    """The version of a package in this environment, or None."""
+    """Return a package's version in this environment; None if it isn't installed."""
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
@@ -48,7 +48,7 @@ def installed_version(name: str) -> str | None:
 
 
 def differing(lock: str, version: Callable[[str], str | None] = installed_version) -> list[Differing]:
-    """Compare an environment with the text of the lock file; the packages of ROS come first."""
+    """Compare an environment with the lock file's text, and return the differences, ROS packages first."""
     found = [
         Differing(name, there, wanted)
         for name, wanted in locked_versions(lock).items()
@@ -58,14 +58,14 @@ def differing(lock: str, version: Callable[[str], str | None] = installed_versio
 
 
 def in_words(packages: list[Differing]) -> str:
-    """Name each package with both versions; of many, the first ones."""
+    """List the packages with both versions, at most the first six."""
     said = [f"{one.name} {one.found or 'missing'} (locked: {one.locked})" for one in packages[:_MOST]]
     more = len(packages) - _MOST
     return ", ".join(said) + (f", and {more} more" if more > 0 else "")
 
 
 def check_packages() -> HealthFinding:
-    """Versions of the most important packages, and whether the environment fits the lock file."""
+    """Report the main packages' versions, and whether the environment matches the lock file."""
     names = ["jupyterlab", "ipykernel", "matplotlib", "numpy"]
     if uses_wheels():
         names.insert(0, "ros-jazzy-rclpy")
@@ -102,7 +102,7 @@ def _compared_with_the_lock(saw: str) -> HealthFinding:
 
 
 def install_again() -> str:
-    """The sentence that says how to repair the environment."""
+    """Return a sentence that tells the user how to reinstall."""
     if is_from_wheel():
         return f"Run `{shlex.quote(sys.executable)} -m pip install --force-reinstall rclpy-workbook`."
     return "Run `make env`."

@@ -1,4 +1,4 @@
-"""The program that `workbook doctor` starts to receive from another process: it publishes ten pings a second."""
+"""Publish ten pings per second. `workbook doctor` starts this program to test messages from another process."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException

@@ -1,6 +1,7 @@
-"""The student's own copy of the lessons, `work/` in a clone: new ones are added, changed ones are never overwritten.
+"""Update the student's copy of the lessons: add new ones, and never overwrite changed ones.
 
-It comes without outputs, which would tell what the student is to predict. The committed notebooks keep theirs.
+In a clone, the copy is `work/`. Its notebooks have no outputs, which would give away predictions. The committed
+notebooks keep theirs.
 """
 
 import hashlib
@@ -16,14 +17,14 @@ from pathlib import Path
 
 FOLDERS = ("notebooks", "exercises")
 STATE = Path(".state", "delivered.json")
-"""Which versions the student was given: a notebook that is none of them was changed by the student."""
+"""The versions that the student was given. If a notebook matches none of them, the student has changed it."""
 BACKUPS = Path(".state", "backups")
 ANSWERS = "answers"
 
 
 @dataclass
 class WorkFolderUpdate:
-    """What one update changed, as paths below `folder`, the student's copy."""
+    """The changes of one update, as paths below `folder`, the student's copy."""
 
     folder: str = "work"
     added: list[str] = field(default_factory=list)
@@ -31,7 +32,7 @@ class WorkFolderUpdate:
     beside: list[tuple[str, str]] = field(default_factory=list)  # (the student's file, the new version)
 
     def lines(self) -> list[str]:
-        """What to tell the student, one line per matter; nothing when nothing happened."""
+        """Return the messages for the student, one line each; empty if nothing changed."""
         said = []
         if self.added:
             said.append(f"Added {_count(len(self.added), 'notebook')} to {self.folder}/.")
@@ -50,9 +51,9 @@ def _count(number: int, noun: str) -> str:
 
 
 def fingerprint(path: Path) -> str:
-    """What a person wrote in a notebook, as a hash: types and sources of its cells, not outputs or metadata.
+    """Hash the types and sources of a notebook's cells, but not outputs or metadata.
 
-    So running a lesson is no change of it. A file that is no notebook is hashed as it is.
+    So running a lesson doesn't change its fingerprint. A file that isn't a notebook is hashed as it is.
     """
     content = path.read_bytes()
     try:
@@ -70,7 +71,7 @@ def _joined(source: object) -> str:
 
 
 def read_state(work: Path) -> dict[str, list[str]]:
-    """Fingerprints of every version that was ever put there, by path below `work/`; the newest is last."""
+    """Load the fingerprints of all delivered versions, by path below `work/`. The newest is last."""
     try:
         state = json.loads((work / STATE).read_text(encoding="utf-8"))
         return {str(name): [str(mark) for mark in marks] for name, marks in state.items()}
@@ -79,7 +80,7 @@ def read_state(work: Path) -> dict[str, list[str]]:
 
 
 def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
-    """Bring `work/` up to date with the lessons and exercises below `root`."""
+    """Update `work/` with the lessons and exercises below `root`."""
     state = read_state(work)
     report = WorkFolderUpdate(work.name)
     for source in lessons(root):
@@ -107,25 +108,25 @@ def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
             marks.remove(new)
         marks.append(new)
     for page in [*sorted((root / "notebooks").glob("*.md")), *sorted((root / "lesson_nodes").glob("*.py"))]:
-        _copy(page, work / page.relative_to(root))  # to be read only: nothing of the student's is in it
+        _copy(page, work / page.relative_to(root))  # read-only for students, so nothing is lost
     (work / ANSWERS).mkdir(parents=True, exist_ok=True)
     _write(work / STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
     return report
 
 
 def lessons(root: Path) -> list[Path]:
-    """Lessons first, then exercises, each in the order a student takes them."""
+    """Return the notebooks: lessons first, then exercises, in course order."""
     return [path for folder in FOLDERS for path in sorted((root / folder).glob("[0-9]*.ipynb"))]
 
 
 def first_lesson(root: Path) -> str | None:
-    """The lesson to open, as a path below `work/`; None while there is none."""
+    """Return the lesson to open, as a path below `work/`; None if there are no lessons."""
     found = lessons(root)
     return found[0].relative_to(root).as_posix() if found else None
 
 
 def keep_backup(work: Path, path: Path) -> Path:
-    """Copy a file of the student's to a dated name that nothing overwrites, and return that."""
+    """Copy a student's file to a dated name that nothing overwrites, and return the copy's path."""
     folder = work / BACKUPS / path.relative_to(work).parent
     stamp = time.strftime("%Y-%m-%d_%H-%M-%S")
     kept = folder / f"{path.stem}.{stamp}{path.suffix}"
@@ -139,7 +140,7 @@ def keep_backup(work: Path, path: Path) -> Path:
 
 
 def without_outputs(text: str) -> str:
-    """The text of a notebook file without what running it has left; the same text where nothing was left."""
+    """Remove outputs and execution counts from a notebook's text. Text without any is returned unchanged."""
     try:
         notebook = json.loads(text)
         ran = [one for one in notebook["cells"] if one.get("outputs") or one.get("execution_count")]
@@ -151,7 +152,7 @@ def without_outputs(text: str) -> str:
 
 
 def with_language_version(text: str) -> str:
-    """A notebook that says which Python it is for, as a kernel would add: then opening it changes nothing."""
+    """Add the Python version to a notebook's metadata, as a kernel would, so that opening it changes nothing."""
     try:
         notebook = json.loads(text)
         notebook["metadata"]["language_info"]["version"] = platform.python_version()
@@ -161,7 +162,7 @@ def with_language_version(text: str) -> str:
 
 
 def _earlier_copies(source: Path) -> set[str]:
-    """What versions before this one made of a notebook: copied it as it is, or without outputs."""
+    """Return a notebook's copies as earlier course versions made them: unchanged, or without outputs."""
     text = source.read_text(encoding="utf-8")
     return {text, without_outputs(text)}
 
@@ -175,7 +176,7 @@ def _copy(source: Path, target: Path) -> None:
 
 
 def _write(target: Path, text: str) -> None:
-    """Write in one step: a full disk or a stop leaves the old file whole."""
+    """Write atomically, so that a full disk or an interruption leaves the old file intact."""
     target.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=target.parent, prefix=".", suffix=".part")
     try:
@@ -189,11 +190,11 @@ def _write(target: Path, text: str) -> None:
 
 
 class NoSuchExercise(LookupError):
-    """No exercise has this name; the text lists those there are."""
+    """No exercise has this name. The message lists the existing ones."""
 
 
 def find_exercise(root: Path, name: str) -> str:
-    """The stem of an exercise, from its stem (09_joint_positions), slug (joint_positions) or number (9)."""
+    """Find an exercise by its stem (09_joint_positions), slug (joint_positions), or number (9), and return its stem."""
     stems = [path.stem for path in lessons(root) if path.parent.name == "exercises"]
     wanted = re.sub(r"\.(ipynb|py)$", "", name.strip()).rpartition("/")[2]
     for stem in stems:
@@ -207,9 +208,9 @@ def find_exercise(root: Path, name: str) -> str:
 
 
 def reset(root: Path, work: Path, name: str) -> tuple[str, list[Path]]:
-    """Put an exercise back to its start: a fresh notebook and no answer file.
+    """Reset an exercise to a fresh notebook without an answer file.
 
-    Returns the exercise's stem and the backups made of what the student had. Raises NoSuchExercise.
+    Return the exercise's stem and the backups of the student's files. Raise NoSuchExercise if the name is unknown.
     """
     stem = find_exercise(root, name)
     notebook = work / "exercises" / f"{stem}.ipynb"

@@ -1,6 +1,6 @@
-"""The IPython extension of exercise notebooks: %%answer, %start, %check and the other magics.
+"""The IPython extension for exercise notebooks: %%answer, %start, %check, and the other magics.
 
-A kernel loads it when it starts. It is a face: only `cli` imports from it (the progress table).
+Every kernel loads it at startup. This package is a face: only `cli` imports from it (the progress table).
 """
 
 from typing import Any

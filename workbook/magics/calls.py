@@ -1,4 +1,4 @@
-"""Keeps `stop()` Python: a kernel that doesn't know the function (yet) would run the magic of that name instead."""
+"""Treat `stop()` as Python code. If the function isn't defined yet, IPython would run the magic of that name."""
 
 from typing import Any
 
@@ -7,12 +7,12 @@ from traitlets import Integer
 
 
 class CallChecker(PrefilterChecker):
-    """Lets a line begin with a call, although a magic has the same name. It asks before IPython's automagic does."""
+    """Lets a line begin with a call even if a magic has the same name. It runs before IPython's automagic."""
 
     priority = Integer(650).tag(config=True)
 
     def check(self, line_info: Any) -> Any:
-        """The handler of plain Python for such a line; None for any other."""
+        """Return the handler for plain Python if the line begins with a call; else None."""
         manager: Any = self.prefilter_manager
         is_call = not line_info.esc and line_info.the_rest.startswith("(")
         return manager.get_handler_by_name("normal") if is_call else None

@@ -1,5 +1,6 @@
-"""`%check`: judge the answer file on a warm slot and show the card."""
+"""Judge the answer file on a warm slot for `%check`, and build the card."""
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,33 +17,47 @@ from workbook.feedback.card import Card, Extras
 from workbook.feedback.moment import Film, Moment, gained, what_comes_next
 from workbook.feedback.review import review_prompt
 from workbook.feedback.timeline import judged_timeline
-from workbook.grading.slots.client import SlotBroken
+from workbook.grading.slots.client import ShowProgress, SlotBroken
 from workbook.grading.slots.pool import Kind, warm_slots
+from workbook.grading.slots.service import ADDRESS, judge_there
 from workbook.lesson.best_answers import Check
 from workbook.lesson.progress import all_progress
 from workbook.magics.screen import Version
 
 
-def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Judgement:
-    """Judge on the warm slot: again as long as the result is inconclusive, three times at most."""
+def judge(
+    stem: str,
+    answer: Answer,
+    report: Callable[[Judgement], None],
+    stop: Callable[[], bool] = lambda: False,
+    progress: ShowProgress | None = None,
+) -> Judgement:
+    """Judge on the warm slot, or have the class's service judge.
+
+    Repeat this while the result is inconclusive and `stop` returns False, at most three times.
+    """
+
+    service = os.environ.get(ADDRESS)
 
     def once() -> Judgement:
+        if service:
+            return judge_there(service, stem, answer, report, progress)
         slot = warm_slots.take(Kind())
         try:
-            judgement = slot.judge(stem, answer, soak=True, report=report)
+            judgement = slot.judge(stem, answer, soak=True, report=report, progress=progress)
         except SlotBroken as error:
             warm_slots.drop(slot)
             return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
         warm_slots.give(Kind(), slot)
         return judgement
 
-    return until_sure(once, report)
+    return until_sure(once, report, stop)
 
 
 def _timeline(
     exercise: Exercise, judgement: Judgement, first: CriterionResult | None
 ) -> tuple[bytes | None, str]:
-    """A picture of the arrivals when the first failed criterion is about time."""
+    """Draw the arrivals if the first failed criterion is about time. Return the PNG (or None) and its text."""
     if first is None or not first.about_time or judgement.recording is None:
         return None, ""
     return judged_timeline(exercise, judgement.recording)
@@ -50,7 +65,10 @@ def _timeline(
 
 @dataclass(frozen=True)
 class Asked:
-    """One `%check`: what is judged. `version`: which one it is, where the screen could not be asked."""
+    """The answer to judge with one `%check`. `version`: the version that was run, if we couldn't read the screen.
+
+    `replays`: whether the front end itself moves the robot on the card.
+    """
 
     exercise: Exercise
     answer: Answer
@@ -58,10 +76,11 @@ class Asked:
     hints_left: int
     version: Version | None
     kept: Check
+    replays: bool = False
 
 
 def deserves_praise(asked: Asked, judgement: Judgement) -> bool:
-    """Whether these are full marks, for what is on the screen as far as one knows."""
+    """Return whether the judged text got full marks and, as far as we know, is also the text on the screen."""
     differs = asked.version is not None and asked.version.differs
     return wording.all_shown_hold(judgement) and not judgement.provisional and not differs
 
@@ -74,7 +93,8 @@ def _moment(asked: Asked, judgement: Judgement, film: Film | None) -> Moment | N
     solved = sum(kept.solved for stem, kept in all_progress().items() if stem in exercises)
     now = wording.shown_points(judgement)[0]
     title, link = what_comes_next(course, asked.exercise.stem)
-    return Moment(gained(asked.kept.before.best, now, solved, len(exercises)), title, link, film)
+    words = gained(asked.kept.before.best, now, solved, len(exercises))
+    return Moment(words, title, link, film, asked.replays)
 
 
 def _better_line(asked: Asked, judgement: Judgement) -> str:
@@ -90,7 +110,7 @@ def _better_line(asked: Asked, judgement: Judgement) -> str:
 
 
 def card_for(asked: Asked, judgement: Judgement, film: Film | None = None) -> Card:
-    """The card with everything that belongs on it. `film`: the robot in motion, once it is drawn."""
+    """Build the complete card. `film` shows the moving robot, and is None until it has been drawn."""
     exercise, answer = asked.exercise, asked.answer
     first = wording.first_to_mend(judgement)
     timeline, timeline_text = _timeline(exercise, judgement, first)

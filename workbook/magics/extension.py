@@ -1,5 +1,7 @@
-"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %review, %solution,
-%reset, %restore, %progress."""
+"""Define the magics of exercise notebooks.
+
+They are %%answer, %start, %stop, %check, %hint, %review, %solution, %reset, %restore, and %progress.
+"""
 
 import os
 import threading
@@ -20,12 +22,13 @@ from workbook.exercise.answer_files import (
 from workbook.exercise.answers import ANSWER_MAGIC, Answer, Ungradable, read_answer, syntax_mistake
 from workbook.exercise.course import NoCourse
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
-from workbook.exercise.source import STEM, SourceError, UnknownExercise
+from workbook.exercise.source import STEM, SourceError, UnknownExercise, partner_of
 from workbook.feedback import wording
 from workbook.feedback.review import review_prompt
 from workbook.grading.slots.pool import Kind, warm_slots
 from workbook.lesson.best_answers import Check, NothingJudged, best_text, hands_in_another, restore_best
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, changed_progress, load_progress
+from workbook.lesson.robot_in_cell import draws_robots
 from workbook.magics import checking, screen
 from workbook.magics.live_card import LiveCard
 from workbook.magics.progress_table import progress_table
@@ -37,7 +40,7 @@ CHECK_OPTION = "--check"
 
 
 def shown_path(path: Path) -> str:
-    """A path as the student knows it: relative to the work folder."""
+    """Return a path as the student knows it: relative to the work folder."""
     try:
         return str(path.relative_to(answers_folder().parent))
     except ValueError:
@@ -51,12 +54,12 @@ _CLOCK_MISSING = (
 
 
 class _Notice(Exception):
-    """A message for the student, shown instead of doing what was asked."""
+    """A message for the student, shown instead of executing the command."""
 
 
 @magics_class
 class ExerciseMagics(Magics):
-    """The magics of one kernel. Remembers the current exercise and what is running."""
+    """A kernel's magics. They keep track of the current exercise and of running programs."""
 
     def __init__(self, shell: InteractiveShell | None) -> None:
         super().__init__(shell)
@@ -108,7 +111,7 @@ class ExerciseMagics(Magics):
             {
                 "new": f"Saved as {where}.",
                 "changed": f"Saved as {where}.",
-                "unchanged": f"{where} is as it was.",
+                "unchanged": f"{where} is unchanged.",
             }[saved.outcome]
         )
         mistake = syntax_mistake(cell)
@@ -132,14 +135,14 @@ class ExerciseMagics(Magics):
         )
 
     def _request(self) -> object:
-        """The message that made the present cell run; empty outside of a kernel."""
+        """Return the message that requested the running cell; empty outside of a kernel."""
         parent = getattr(self.shell, "get_parent", dict)
         return parent()
 
     def _take_screen(self, exercise: Exercise) -> screen.Version | None:
-        """Save what the answer cell on the screen holds, as running it would.
+        """Save the text of the answer cell on the screen, as running it would, and return None.
 
-        Returns None then, and the version that was run where no front end tells what is on the screen.
+        If the front end doesn't send the screen's text, return the version that was run.
         """
         program = screen.answer_on_screen(self._request(), exercise.stem)
         if program is None:
@@ -156,7 +159,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def reset(self, line: str) -> None:
-        """Put the starter back. Your answer so far is kept."""
+        """Put the starter back. Your present answer is kept."""
         self._report(self._reset, line)
 
     def _reset(self, line: str) -> None:
@@ -169,7 +172,7 @@ class ExerciseMagics(Magics):
             print(f"Your answer is kept as {shown_path(saved.previous)}.")
 
     def _keep_what_is_on_the_screen(self, exercise: Exercise) -> None:
-        """Save what was not run yet, before something else takes its place."""
+        """Save text on the screen that hasn't been run yet, before another text replaces it."""
         shown = screen.answer_on_screen(self._request(), exercise.stem)
         if shown is not None and shown.strip():
             save_answer(exercise.stem, shown, exercise.source.starter_code)
@@ -196,7 +199,7 @@ class ExerciseMagics(Magics):
         if shown is None or not same_program(shown, best):
             screen.put_on_screen(self.shell, self._request(), stem, best)
 
-    # --- running it beside the notebook ---------------------------------------------------------------------
+    # --- running it next to the notebook ---------------------------------------------------------------------
 
     @line_magic
     def start(self, line: str) -> None:
@@ -224,7 +227,8 @@ class ExerciseMagics(Magics):
             raise _Notice(
                 f"Python cannot read it yet: {mistake.message}, line {mistake.line}: {mistake.text.strip()}"
             )
-        self._running.stop(exercise.stem)
+        self._running.stop(exercise.stem, told=False)
+        around = self._start_partner(exercise)
         known = node_names()
         process = self._running.start(exercise.stem, file, exercise.driver)
         nodes = wait_for_nodes(process, known)
@@ -233,9 +237,13 @@ class ExerciseMagics(Magics):
         if process.is_running():
             if nodes:
                 print(f"Running: {nodes_are(nodes)} on the graph. %stop ends the program.")
+                if around:
+                    print(f"The rest of the robot runs with it: {nodes_are(around).removesuffix(' is')}.")
                 print(*map(_CLOCK_MISSING.format, waiting_for_clock(nodes)), sep="", end="")
             else:
-                print("Running, but no node of it has appeared on the graph so far. %stop ends it.")
+                print("Running, but none of its nodes has appeared on the graph yet. %stop ends it.")
+            self._running.show_robot(exercise.stem)
+            screen.offer_panel(self.shell)
             return
         self._running.stop(exercise.stem)
         record = process.record()
@@ -245,7 +253,21 @@ class ExerciseMagics(Magics):
                 f"Your program ended with {error.where}{error.error}\n{error.because}\n{error.try_this}"
             )
         how = record.signal or f"exit code {record.exit}"
-        raise _Notice(f"Your program ended at once ({how}). Does it spin?\n{record.log.strip()}".rstrip())
+        raise _Notice(f"Your program ended right away ({how}). Does it spin?\n{record.log.strip()}".rstrip())
+
+    def _start_partner(self, exercise: Exercise) -> list[str]:
+        """Start the exercise's partner nodes, if it has any, and return their names."""
+        from workbook.lesson.startup import node_names, wait_for_nodes
+
+        partner = partner_of(exercise.source.path)
+        if partner is None:
+            return []
+        known = node_names()
+        process = self._running.start_partner(exercise.stem, partner)
+        nodes = wait_for_nodes(process, known)
+        if not nodes:
+            print(f"The rest of the robot did not start.\n{process.record().log.strip()}".rstrip())
+        return nodes
 
     @line_magic
     def stop(self, line: str) -> None:
@@ -273,15 +295,17 @@ class ExerciseMagics(Magics):
     def _judge(self, exercise: Exercise, version: screen.Version | None) -> None:
         file = self._need_file(exercise.stem)
         answer = read_answer(file, exercise.stem)
-        if self._watcher is not None and self._watcher.is_alive():
+        if self._last is not None and self._watcher is not None and self._watcher.is_alive():
+            self._last[1].superseded.set()
             warm_slots.cancel_soak()
             self._watcher.join()
         kept = Check(exercise.stem, answer.text)
         hints_left = len(exercise.source.hints) - kept.before.hints
-        asked = checking.Asked(exercise, answer, Path(shown_path(file)), hints_left, version, kept)
+        shown = Path(shown_path(file))
+        asked = checking.Asked(exercise, answer, shown, hints_left, version, kept, draws_robots())
         warm_slots.warm_up(
             Kind()
-        )  # here, not in the thread below: a slot ends with the thread that started it
+        )  # not in the thread below, because a slot ends with the thread that started it
         card = LiveCard(asked)
         self._last = (answer, card)
         self._watcher = threading.Thread(target=card.judge, name="check", daemon=True)
@@ -291,6 +315,7 @@ class ExerciseMagics(Magics):
                 pass
         except KeyboardInterrupt:
             card.abandoned.set()
+            card.superseded.set()
             warm_slots.close()
             raise _Notice("Check stopped.") from None
 
@@ -298,7 +323,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def hint(self, line: str) -> None:
-        """The next of three hints, below the earlier ones: a nudge, a pointer, a sketch."""
+        """Show the next of three hints, below the earlier ones: a nudge, a pointer, a sketch."""
         self._report(self._hint, line)
 
     def _hint(self, line: str) -> None:
@@ -310,7 +335,7 @@ class ExerciseMagics(Magics):
         number = min(progress.hints + 1, len(hints)) if wanted is None else wanted
         if not 1 <= number <= len(hints):
             raise _Notice(f"There are {len(hints)} hints: %hint 1 to %hint {len(hints)}.")
-        # A list or a program has its marks only where a paragraph begins.
+        # Each hint is a separate paragraph, because Markdown needs that for lists and code.
         told = [
             part
             for one in range(1, number + 1)
@@ -324,7 +349,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def review(self, line: str) -> None:
-        """A prompt for a colleague or an AI assistant: the task, your answer, and what was observed when it ran."""
+        """Show a prompt for a colleague or an AI assistant: the task, your answer, and the judge's observations."""
         self._report(self._review, line)
 
     def _review(self, line: str) -> None:
@@ -346,7 +371,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def solution(self, line: str) -> None:
-        """The reference answer, once yours passes or after some honest tries."""
+        """Show the reference answer, once yours passes or after some honest tries."""
         self._report(self._solution, line)
 
     def _solution(self, line: str) -> None:
@@ -367,7 +392,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def progress(self, line: str) -> None:
-        """What you have read, predicted and solved so far."""
+        """Show your progress: lessons read, predictions made, exercises solved."""
         self._report(lambda: display(progress_table()))
 
     # --- shared -----------------------------------------------------------------------------------------------
@@ -383,7 +408,7 @@ class ExerciseMagics(Magics):
 
     @staticmethod
     def _report(action: object, *arguments: str) -> None:
-        """Run an action; an expected error is shown as a sentence, not as a traceback."""
+        """Run an action. Print an expected error as a sentence instead of a traceback."""
         assert callable(action)
         try:
             action(*arguments)

@@ -1,4 +1,4 @@
-"""The table of `%progress`: lesson by lesson, what was read, predicted and solved."""
+"""Build the table for `%progress`: lessons read, predictions made, and exercises solved, by lesson."""
 
 import textwrap
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ def _cut(text: str, width: int) -> str:
 
 @dataclass(frozen=True)
 class LessonRow:
-    """One lesson in words."""
+    """A table row: one lesson, as text."""
 
     state: LessonState
 
@@ -31,21 +31,21 @@ class LessonRow:
 
     @property
     def read(self) -> str:
-        """How much of the lesson was read, in words."""
+        """How much of the lesson was read, as text."""
         done, of = self.state.cells
         if not done:
             return "–"
-        return "✓ all" if done >= of else f"{'✓ ' if self.state.is_read else ''}{round(100 * done / of)} %"
+        return "✓ all" if done >= of else f"{'✓ ' if self.state.is_read else ''}{100 * done // of} %"
 
     @property
     def predicted(self) -> str:
-        """How many predictions were made, in words; empty where the lesson asks for none."""
+        """How many predictions were made, as text; empty if the lesson asks for none."""
         done, of = self.state.predictions
         return f"{done} of {of}" if of else ""
 
     @property
     def exercise(self) -> str:
-        """The state of the exercise, in words; empty where there is none."""
+        """The state of the exercise, as text; empty if there is none."""
         exercise = self.state.exercise
         if exercise is None:
             return ""
@@ -55,17 +55,17 @@ class LessonRow:
 
     @property
     def score(self) -> str:
-        """The most points so far, in words; empty before the first try."""
+        """The most points so far, as text; empty before the first try."""
         exercise = self.state.exercise
         return f"{exercise.points[0]:g} of {exercise.points[1]:g}" if exercise and exercise.tries else ""
 
     def columns(self) -> tuple[str, ...]:
-        """The row as text, one entry per column."""
+        """Return the row as text, one entry per column."""
         return (self.title, self.read, self.predicted, self.exercise, self.score)
 
 
 class ProgressTable:
-    """What a student has done in the whole course; shows itself in a notebook and as text."""
+    """A student's progress in the whole course, shown in a notebook or as text."""
 
     def __init__(self, course: CourseMap) -> None:
         self.course = course
@@ -73,7 +73,7 @@ class ProgressTable:
 
     @property
     def warnings(self) -> list[str]:
-        """One line for each exercise whose file to hand in is not the best version."""
+        """A line for each exercise whose file to hand in isn't the best version."""
         return [
             f"{one.stem}: the file to hand in is not your best version. To put that back, run "
             f"%restore {one.stem[:2]} in its notebook, or workbook restore {one.stem[:2]} in a terminal."
@@ -82,7 +82,7 @@ class ProgressTable:
 
     @property
     def summary(self) -> str:
-        """One sentence with the sums."""
+        """A summary of the totals."""
         sums = self.course.sums
         (read, lessons), (solved, exercises) = sums["lessons read"], sums["exercises solved"]
         points, most = sums["points"]
@@ -97,7 +97,7 @@ class ProgressTable:
         return self.course.next_step
 
     def text(self, columns: int | None = None) -> str:
-        """The table for a terminal. Titles are cut where `columns` would not hold them."""
+        """Return the table for a terminal. Titles are cut if the table is wider than `columns`."""
         lines = [_HEAD, *(row.columns() for row in self.rows)]
         widths = [max(len(line[place]) for line in lines) for place in range(len(_HEAD))]
         if columns is not None:
@@ -136,5 +136,8 @@ def progress_table(
     done: Mapping[str, LessonProgress] | None = None,
     answers: Path | None = None,
 ) -> ProgressTable:
-    """The state of this student. `course`, `done` and `answers` default to what is installed and what is kept."""
+    """Return this student's progress table.
+
+    `course`, `done`, and `answers` default to the installed course and the saved progress.
+    """
     return ProgressTable(course_map(course, done, answers))

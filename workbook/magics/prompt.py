@@ -1,4 +1,4 @@
-"""A text to be copied, as a notebook shows it."""
+"""Show text to copy from a notebook."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ from workbook.templating import render
 
 @dataclass(frozen=True)
 class Prompt:
-    """A prompt, and a sentence that says what it is for."""
+    """A prompt, with a sentence that explains its purpose."""
 
     introduction: str
     text: str

@@ -1,7 +1,7 @@
-"""What the answer cell on the screen holds, run or not, and an answer that is put on the screen.
+"""Read the answer cell's text from the screen, whether it was run or not, and put an answer on the screen.
 
-JupyterLab sends it with each cell that runs (workbook/lab/front_end/answers.js). Other front ends do not: there, the
-version that was run is judged, and the saved notebook tells whether the screen holds another.
+JupyterLab sends the text with each cell that runs (workbook/lab/front_end/answers.js). With other front ends, the
+version that was run is judged, and we compare it with the saved notebook.
 """
 
 import os
@@ -15,20 +15,21 @@ from workbook.exercise.answer_files import answer_file, same_program
 from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, answer_in_notebook, means, named_exercise
 
 ANSWER_PAYLOAD = "workbook_answer"
+STARTED_PAYLOAD = "workbook_started"
 
 
 @dataclass(frozen=True)
 class Version:
-    """Which version of an answer is at hand, where the screen could not be asked.
+    """The version of an answer that was run, if we couldn't read the screen.
 
-    `ran_at`: when the student ran it, as a clock shows it. `differs`: the notebook was saved later, with another text.
+    `ran_at`: when the student ran it, as text. `differs`: whether the notebook was saved later with another text.
     """
 
     ran_at: str
     differs: bool = False
 
     def line(self, doing: str) -> str:
-        """A sentence or two for the student, such as "Judging the version you ran at 14:03."."""
+        """Return a sentence or two for the student, such as "Judging the version you ran at 14:03."."""
         said = f"{doing} the version you ran {self.ran_at}."
         if self.differs:
             said += " The saved notebook holds another one: run its answer cell first."
@@ -36,9 +37,9 @@ class Version:
 
 
 def answers_on_screen(request: Any) -> list[tuple[str, str]] | None:
-    """Name and program of each answer cell, from top to bottom; None where the front end does not tell.
+    """Return the name and program of each answer cell, from top to bottom; None if the front end doesn't send them.
 
-    `request` is the message that made the present cell run.
+    `request` is the message that requested the running cell.
     """
     told = request.get("metadata", {}).get("workbook") if isinstance(request, dict) else None
     sources = told.get("answers") if isinstance(told, dict) else None
@@ -56,13 +57,19 @@ def answers_on_screen(request: Any) -> list[tuple[str, str]] | None:
 
 
 def answer_on_screen(request: Any, stem: str) -> str | None:
-    """The program in the last answer cell of an exercise; None where there is none or the front end does not tell."""
+    """Return the program in the last answer cell of an exercise.
+
+    The result is None if there is no such cell or the front end doesn't send it.
+    """
     fitting = [program for name, program in answers_on_screen(request) or [] if means(name, stem)]
     return fitting[-1] if fitting else None
 
 
 def version_that_ran(stem: str, names: dict[str, Any]) -> Version:
-    """The version in the answer file. `names`: the kernel's variables, in which VS Code says which notebook it is."""
+    """Describe the version in the answer file.
+
+    `names`: the kernel's variables, because VS Code stores the notebook's path in one of them.
+    """
     file = answer_file(stem)
     moment = file.stat().st_mtime
     ran = time.localtime(moment)
@@ -81,10 +88,15 @@ def version_that_ran(stem: str, names: dict[str, Any]) -> Version:
 
 
 def put_on_screen(shell: Any, request: Any, stem: str, program: str) -> None:
-    """Have the answer cell hold `program`; where that is not possible, a new cell below does."""
+    """Put `program` into the answer cell or, if that isn't possible, into a new cell below."""
     if answer_on_screen(request, stem) is None:
         shell.set_next_input(f"{ANSWER_MAGIC} {stem}\n{program.rstrip()}", replace=False)
         return
     names = sorted({name for name, _ in answers_on_screen(request) or [] if means(name, stem)})
     write: Callable[..., None] = shell.payload_manager.write_payload
     write({"source": ANSWER_PAYLOAD, "exercises": names, "text": program.rstrip()})
+
+
+def offer_panel(shell: Any) -> None:
+    """Have JupyterLab open the robot panel. It does so only for the first program that starts in a browser tab."""
+    shell.payload_manager.write_payload({"source": STARTED_PAYLOAD})

@@ -1,4 +1,4 @@
-"""Tracebacks in a notebook: the student's own frames are open, those inside of libraries are one click away."""
+"""Fold tracebacks in a notebook: show the student's own frames, and put library frames behind a click."""
 
 import re
 import sys
@@ -20,7 +20,7 @@ _STANDARD = (Path(sysconfig.get_path("stdlib")).resolve(), Path(sys.base_prefix)
 
 
 def library_of(frame: str) -> str | None:
-    """The library that a part of a traceback lies in, such as rclpy; None for all that is not inside of one."""
+    """Return the library that a traceback's frame belongs to, such as rclpy; None if it isn't in a library."""
     found = _FRAME_IN_FILE.match(_ANSI.sub("", frame).lstrip())
     if found is None:
         return None
@@ -38,9 +38,9 @@ def library_of(frame: str) -> str | None:
 
 
 def split(traceback: Sequence[str]) -> tuple[list[str], list[str], list[str]]:
-    """What stays open, the frames inside of libraries, and the names of these libraries, in order.
+    """Split a traceback into the parts to show, the library frames, and the libraries' names, in order.
 
-    Nothing is folded where no frame would be left.
+    If no other frame would be left, nothing is folded.
     """
     libraries = [library_of(part) for part in traceback]
     own = [part for part, name in zip(traceback, libraries, strict=True) if name is None]
@@ -53,7 +53,7 @@ def split(traceback: Sequence[str]) -> tuple[list[str], list[str], list[str]]:
 
 
 class FoldedFrames:
-    """The frames inside of libraries, behind a line to click on."""
+    """Library frames, behind a line to click on."""
 
     def __init__(self, frames: Sequence[str], libraries: Sequence[str]) -> None:
         self.frames = tuple(frames)
@@ -61,7 +61,7 @@ class FoldedFrames:
 
     @property
     def title(self) -> str:
-        """How many frames there are, and in which libraries."""
+        """The number of frames, and the libraries' names."""
         count = "1 more frame" if len(self.frames) == 1 else f"{len(self.frames)} more frames"
         return f"{count}, inside {', '.join(self.libraries)}"
 
@@ -73,7 +73,7 @@ class FoldedFrames:
 
 
 def install(shell: Any) -> None:
-    """Fold the tracebacks of this kernel, from now on."""
+    """Fold this kernel's tracebacks from now on."""
     send: Callable[[object, object, list[str]], None] = shell._showtraceback
 
     def show(kind: object, error: object, traceback: list[str]) -> None:

@@ -1,11 +1,11 @@
-"""Pictures of a robot program: the humanoid, a dashboard, timelines, the graph, live and as stills.
+"""Draw a robot program: the humanoid, a dashboard, timelines, and the graph, live and as stills.
 
 Lessons and the layers above use the modules and names offered here::
 
     from workbook import pictures
     pictures.show(pictures.humanoid.draw(angles), "humanoid, 12 joints")
 
-What needs matplotlib is imported at first use.
+Modules that need matplotlib are imported at first use.
 """
 
 from importlib import import_module

@@ -1,4 +1,4 @@
-"""Figures about a camera: how an image lies in memory, the hue wheel, the pinhole model, and images side by side."""
+"""Draw figures about a camera: an image's memory layout, the hue wheel, the pinhole model, and images side by side."""
 
 import colorsys
 import math
@@ -21,7 +21,7 @@ _LOOKS: dict[str, Any] = {"ha": "center", "va": "center"}
 
 @dataclass(frozen=True)
 class Ring:
-    """A circle to draw into an image, with its label: center and radius in pixels of the image."""
+    """A circle to draw on an image, with its label. Center and radius are in pixels of the image."""
 
     column: float
     row: float
@@ -33,7 +33,7 @@ class Ring:
 def side_by_side(
     images: Sequence[Pixels], titles: Sequence[str], *, rings: Sequence[Ring] = (), height: float = 2.6
 ) -> Figure:
-    """Images next to each other, each below its title; `rings` go into each of them."""
+    """Draw images next to each other, each with its title above. `rings` are drawn on every image."""
     width = sum(image.shape[1] / image.shape[0] for image in images) * height
     fig, axes = figure(width, height + 0.3, columns=len(images))
     for axis, image, title in zip(np.atleast_1d(axes), images, titles, strict=True):
@@ -54,7 +54,7 @@ def _draw_ring(axis: Any, ring: Ring, height: int) -> None:
 
 
 def row_memory(width: int, step: int) -> Figure:
-    """Two rows of an rgb8 image as they lie in `data`: the pixels, then the padding."""
+    """Draw two rows of an rgb8 image as stored in `data`: the pixels, then the padding."""
     fig, axis = figure(7.6, 1.9)
     axis.set(xlim=(-0.2, 26.6), ylim=(-1.1, 4.2))
     axis.set_axis_off()
@@ -90,7 +90,7 @@ def _bracket(axis: Any, start: float, end: float, height: float, words: str) -> 
 
 
 def hue_wheel(low: int, high: int) -> Figure:
-    """The hue wheel with OpenCV's numbers, 0 to 179, and the accepted range marked."""
+    """Draw the hue wheel with OpenCV's numbers, 0 to 179, and mark the accepted range."""
     fig, axis = figure(3.6, 3.4)
     axis.set(xlim=(-1.55, 1.75), ylim=(-1.4, 1.45), aspect="equal")
     axis.set_axis_off()
@@ -118,7 +118,10 @@ def hue_wheel(low: int, high: int) -> Figure:
 
 
 def pinhole_above(focal: float, offset: float) -> Figure:
-    """The pinhole model from above: a ball `offset` pixels to the right, and the triangle that gives its angle."""
+    """Draw the pinhole model from above.
+
+    It shows a ball `offset` pixels to the right, and the triangle that determines its angle.
+    """
     fig, axis = figure(6.6, 3.0)
     axis.set(xlim=(-2.2, 3.6), ylim=(-1.25, 1.3), aspect="equal")
     axis.set_axis_off()

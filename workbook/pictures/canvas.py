@@ -1,7 +1,7 @@
-"""A small vector canvas: smooth shapes and text on a transparent ground, fast enough to draw thirty times a second.
+"""Draw on a small vector canvas: smooth shapes and text on a transparent background, fast enough for 30 frames/s.
 
-Coordinates are pixels as the page shows them, x to the right and y down. The picture has `scale` dots per pixel, so
-it stays sharp on a fine screen. It uses matplotlib's rasterizer without figure, axes or global state.
+Coordinates are page pixels, x to the right and y down. The image has `scale` dots per pixel, so it stays sharp on a
+high-resolution screen. It uses matplotlib's rasterizer without a figure, axes, or global state.
 """
 
 import math
@@ -26,9 +26,9 @@ Align = Literal["left", "center", "right"]
 
 @dataclass(frozen=True)
 class Paint:
-    """How a shape is drawn: `fill` and `stroke` are colors, `width` (px) and `dash` (px on, px off) are of its line.
+    """How a shape is drawn: `fill` and `stroke` are colors; `width` (px) and `dash` (px on, px off) apply to the line.
 
-    Without `fill` only the line is drawn, without `stroke` only the face. `alpha`: 0 (invisible) to 1 (opaque).
+    Without `fill`, only the line is drawn; without `stroke`, only the face. `alpha`: 0 (invisible) to 1 (opaque).
     """
 
     fill: str | None = None
@@ -40,7 +40,7 @@ class Paint:
 
 @dataclass(frozen=True)
 class Font:
-    """How text is drawn: `size` in pixels."""
+    """How text is drawn. `size` is in pixels."""
 
     size: float = 12.0
     color: str = TEXT
@@ -52,7 +52,7 @@ PLAIN_TEXT = Font()
 
 
 class Canvas:
-    """A transparent picture of `width` by `height` pixels."""
+    """A transparent image, `width` by `height` pixels."""
 
     def __init__(self, width: float, height: float, scale: float = 2.0) -> None:
         self.width, self.height, self.scale = width, height, scale
@@ -61,11 +61,11 @@ class Canvas:
         self._base = Affine2D.from_values(scale, 0, 0, -scale, 0, round(height * scale))
 
     def png(self) -> bytes:
-        """The picture."""
+        """Return the image as PNG bytes."""
         return encode(np.asarray(self._renderer.buffer_rgba()), dots_per_pixel=self.scale)
 
     def path(self, path: Path, paint: Paint, *, at: Affine2D | None = None) -> None:
-        """Any path; `at` places it."""
+        """Draw any path. `at` transforms it."""
         pen = self._pen
         pen.set_linewidth(paint.width * self.scale if paint.stroke else 0.0)
         pen.set_foreground(rgba(paint.stroke or GREY, paint.alpha), isRGBA=True)
@@ -78,39 +78,39 @@ class Canvas:
         self._renderer.draw_path(pen, path, place, rgba(paint.fill, paint.alpha) if paint.fill else None)
 
     def polygon(self, points: Iterable[Point], paint: Paint) -> None:
-        """A closed polygon."""
+        """Draw a closed polygon."""
         corners = list(points)
         self.path(Path([*corners, corners[0]], closed=True), paint)
 
     def line(self, points: Iterable[Point], paint: Paint = GREY_LINE) -> None:
-        """An open line through the points, with round ends; gray where the paint names no stroke."""
+        """Draw an open line through the points, with round ends; gray if the paint has no stroke."""
         self.path(Path(list(points)), _stroked(paint))
 
     def curve(self, start: Point, pull: Point, push: Point, end: Point, paint: Paint = GREY_LINE) -> None:
-        """A Bézier curve from `start` to `end`; gray where the paint names no stroke."""
+        """Draw a Bézier curve from `start` to `end`; gray if the paint has no stroke."""
         codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4]
         self.path(Path([start, pull, push, end], codes), _stroked(paint))
 
     def disc(self, center: Point, radius: float, paint: Paint, *, flat: float = 1.0) -> None:
-        """A disc, or an ellipse `flat` times as high as wide."""
+        """Draw a disc, or an ellipse `flat` times as high as it is wide."""
         place = Affine2D.from_values(radius, 0, 0, radius * flat, *center)
         self.path(_CIRCLE, paint, at=place)
 
     def box(
         self, corner: Point, size: Point, paint: Paint, *, radius: float = 0.0, at: Affine2D | None = None
     ) -> None:
-        """A box with rounded corners: its upper left corner, and its width and height."""
+        """Draw a box with rounded corners, given its upper left corner and its width and height."""
         width, height = size
         if width <= 0 or height <= 0:
             return
         self.path(rounded(*corner, width, height, min(radius, width / 2, height / 2)), paint, at=at)
 
     def capsule(self, start: Point, end: Point, start_radius: float, end_radius: float, paint: Paint) -> None:
-        """A limb: two round ends and the straight sides between them."""
+        """Draw a limb: two round ends and the straight sides between them."""
         self.path(capsule(start, end, start_radius, end_radius), paint)
 
     def text(self, at: Point, words: str, font: Font = PLAIN_TEXT, *, align: Align = "left") -> None:
-        """One line of text; `at` is on its base line."""
+        """Draw one line of text, with `at` on its baseline."""
         if not words:
             return
         outline, length = _outline(words, font.size, font.bold)
@@ -124,12 +124,12 @@ def _stroked(paint: Paint) -> Paint:
 
 
 def text_width(words: str, size: float = 12.0, *, bold: bool = False) -> float:
-    """How many pixels a line of text takes."""
+    """Return the width of a line of text in pixels."""
     return _outline(words, size, bold)[1] if words else 0.0
 
 
 def shorten(words: str, room: float, size: float = 12.0, *, bold: bool = False) -> str:
-    """The text, cut with an ellipsis so that it fits `room` pixels."""
+    """Return the text, cut off with an ellipsis so that it fits into `room` pixels."""
     if text_width(words, size, bold=bold) <= room:
         return words
     while words and text_width(words + "…", size, bold=bold) > room:
@@ -138,7 +138,7 @@ def shorten(words: str, room: float, size: float = 12.0, *, bold: bool = False) 
 
 
 def capsule(start: Point, end: Point, start_radius: float, end_radius: float) -> Path:
-    """The outline of two discs and what lies between them."""
+    """Return the outline of two discs and the area between them."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = math.hypot(dx, dy)
     if length <= abs(start_radius - end_radius):
@@ -155,7 +155,7 @@ def capsule(start: Point, end: Point, start_radius: float, end_radius: float) ->
 
 @lru_cache(maxsize=512)
 def rounded(x: float, y: float, width: float, height: float, radius: float) -> Path:
-    """The outline of a box with round corners."""
+    """Return the outline of a box with rounded corners."""
     if radius <= 0:
         corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
         return Path(corners, closed=True)

@@ -1,4 +1,4 @@
-"""A small dashboard: the status as a lamp with its word, the battery as a gauge, and when messages arrived."""
+"""Draw a small dashboard: the status as a lamp with its word, the battery as a gauge, and the arrival times."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -21,11 +21,11 @@ def draw(
     now: float,
     window: float = 10.0,
 ) -> bytes:
-    """The dashboard as PNG bytes.
+    """Return the dashboard as PNG bytes.
 
-    `status` is the last word received and `battery` the last percentage, None before the first message. `arrivals`
-    holds, for each topic, when its messages arrived, in s on the same clock as `now`; the last `window` seconds of
-    them are drawn. Any word and any number can be shown: strange ones are marked.
+    `status` is the last word received and `battery` the last percentage, None before the first message. `arrivals` maps
+    each topic to its arrival times, in s on the same clock as `now`; those in the last `window` seconds are drawn.
+    Any word and any number can be shown, and invalid ones are marked. Raises ValueError unless `window` is positive.
     """
     if not window > 0:
         raise ValueError(f"the window must be longer than 0 s, not {window}")
@@ -112,11 +112,11 @@ def _rows(
         seen = [t for t in times if now - window <= t <= now]
         drawn = {
             round(place(t) / 2): t for t in seen
-        }  # a fast topic: one mark per 2 pixels is all one can see
+        }  # for a fast topic, one mark per 2 pixels is all that is visible
         for t in drawn.values():
             age = (now - t) / window
             canvas.disc((place(t), y), 5.0, Paint(fill=BLUE, alpha=1.0 - 0.55 * age))
-            if now - t < 0.35:  # a ring that opens around a message that has just arrived
+            if now - t < 0.35:  # a ring that expands around a message that has just arrived
                 grown = (now - t) / 0.35
                 canvas.disc((place(t), y), 6 + 7 * grown, Paint(stroke=BLUE, width=2, alpha=1 - grown))
         canvas.text((right + 12, y + 4), f"{len(seen)} ×", Font(size=12))

@@ -1,4 +1,4 @@
-"""An egg between two fingers that close until they are told to stop: what a late reaction does."""
+"""Draw an egg between two fingers that close until they receive a stop: the effect of a delayed reaction."""
 
 from collections.abc import Mapping
 
@@ -8,9 +8,9 @@ from workbook.pictures.palette import GREEN, GREY, RED
 from workbook.pictures.stills import Still
 
 SPEED_MM_S = 100.0
-"""How fast the two fingers close, together."""
+"""The closing speed of the two fingers together."""
 BREAKS_AT_MM = 2.0
-"""Squeezed by more than this, the shell breaks."""
+"""The shell breaks if squeezed by more than this."""
 PER_SECOND = 8.0
 _WIDTH, _HEIGHT, _MIDDLE = 330.0, 240.0, 112.0
 _RADIUS = 46.0
@@ -19,12 +19,15 @@ _BEFORE_MS, _AFTER_MS, _STEP_MS = 8, 14, 2
 
 
 def squeezed_mm(late_ms: float, after_touch_ms: float) -> float:
-    """How far (mm) the fingers have squeezed the egg, that long after the touch, if they stop `late_ms` after it."""
+    """Return how far (mm) the fingers have squeezed the egg at this time after the touch.
+
+    They stop `late_ms` after the touch.
+    """
     return SPEED_MM_S * max(0.0, min(late_ms, after_touch_ms)) / 1000
 
 
 def squeeze(late_ms: Mapping[str, float], description: str) -> Still:
-    """Eggs side by side, in slow motion. `late_ms`: by name, how late (ms) the report of the touch was."""
+    """Draw eggs next to each other, in slow motion. `late_ms`: by name, the delay (ms) of the touch's report."""
     last = round(max(late_ms.values())) + _AFTER_MS
     frames = []
     for now in range(-_BEFORE_MS, last, _STEP_MS):

@@ -1,4 +1,4 @@
-"""Matplotlib figures of the lessons: one look, a transparent ground, readable on a light and on a dark page."""
+"""Style the lessons' matplotlib figures: transparent background, readable on light and dark pages."""
 
 import io
 import sys
@@ -20,7 +20,7 @@ from workbook.pictures.png import Pixels, encode_faithfully
 from workbook.pictures.stills import Still
 
 DOTS_PER_INCH = 192
-"""96 pixels of a page to the inch, drawn with two dots per pixel."""
+"""96 page pixels per inch, drawn with two dots per pixel."""
 
 LOOK: Any = {
     "figure.facecolor": "none",
@@ -45,14 +45,16 @@ LOOK: Any = {
 
 
 def style() -> AbstractContextManager[None]:
-    """The look of the lessons for what is drawn inside: `with pictures.style(): fig, ax = plt.subplots()`."""
+    """Apply the lessons' style to figures drawn inside: `with pictures.style(): fig, ax = plt.subplots()`."""
     return matplotlib.rc_context(LOOK)
 
 
 def figure(width: float = 6.4, height: float = 3.0, rows: int = 1, columns: int = 1) -> tuple[Figure, Any]:
-    """A figure in the look of the lessons, `width` by `height` inches, and its axes (an array if there are several).
+    """Return a figure in the lessons' style, and its axes (an array if there are several).
 
-    It needs no pyplot, so it is neither shown twice nor kept alive.
+    Its size is `width` by `height` inches.
+
+    It doesn't use pyplot, so it's neither shown twice nor kept alive.
     """
     with style():
         fig = Figure(figsize=(width, height), layout="constrained")
@@ -60,7 +62,7 @@ def figure(width: float = 6.4, height: float = 3.0, rows: int = 1, columns: int 
 
 
 def render(fig: Figure) -> bytes:
-    """A figure as PNG bytes, cropped to what is drawn. What is black in it turns grey, so that a dark page shows it."""
+    """Return a figure as PNG bytes, cropped to its content. Black turns gray, so that it's visible on a dark page."""
     _make_readable(fig)
     drawn = _Drawn()
     with style():
@@ -71,7 +73,7 @@ def render(fig: Figure) -> bytes:
 
 
 class _Drawn(io.BytesIO):
-    """A file for matplotlib's format "rgba", which is written in one piece: its pixels, shape (height, width, 4)."""
+    """A file for matplotlib's "rgba" format, which is written in one piece. `pixels`: shape (height, width, 4)."""
 
     pixels: Pixels
 
@@ -81,13 +83,13 @@ class _Drawn(io.BytesIO):
 
 
 def still(picture: Figure | bytes, description: str) -> Still:
-    """A matplotlib figure or PNG bytes as a picture with alternative text."""
+    """Return a matplotlib figure or PNG bytes as a still with alternative text."""
     if isinstance(picture, bytes):
         return Still(picture, description)
     png = render(picture)
     pyplot = sys.modules.get("matplotlib.pyplot")
     if pyplot is not None:
-        pyplot.close(picture)  # otherwise the notebook shows it a second time at the end of the cell
+        pyplot.close(picture)  # otherwise, the notebook shows the figure again at the end of the cell
     return Still(png, description)
 
 

@@ -1,4 +1,4 @@
-"""A short film from pictures, for a page: it plays once, needs no script, and stays on its last picture."""
+"""Make short films from frames, for pages and notebooks. They need no script."""
 
 import io
 from collections.abc import Sequence
@@ -6,21 +6,22 @@ from collections.abc import Sequence
 from PIL import Image
 
 EFFORT = 30
-"""Of 100. More makes the file hardly smaller, and takes longer."""
+"""Of 100. A higher value hardly shrinks the file, but takes longer."""
 COLORS = 128
 """In an animated PNG: enough for drawings, which have few colors and smooth edges."""
 LAST_MS = 2500
-"""How long the last picture of an animated PNG stands before the film begins again."""
+"""How long an animated PNG shows its last frame before it starts again."""
 PHOTO_QUALITY = 55
 
 
 def film(pictures: Sequence[bytes], *, per_second: float, exact: bool = True) -> bytes:
-    """The film as an animated WebP, from PNG pictures of one size. Raises ValueError when there are none.
+    """Return an animated WebP from PNG frames of one size. It plays once, and stays on its last frame.
 
-    `exact`: every pixel stays as it is, which suits drawings. Pictures of a camera are much smaller without that.
+    `exact`: keep every pixel unchanged, which suits drawings. Without it, camera images take much less space. Raises
+    ValueError if there are no frames.
     """
     if not pictures:
-        raise ValueError("a film needs at least one picture")
+        raise ValueError("a film needs at least one frame")
     frames = [Image.open(io.BytesIO(picture)).convert("RGBA") for picture in pictures]
     file = io.BytesIO()
     first, *later = frames
@@ -45,13 +46,15 @@ def moving_png(
     per_second: float = 8.0,
     durations_ms: Sequence[int] | None = None,
 ) -> bytes:
-    """The film as an animated PNG, which also moves where a page of code shows a notebook. It plays again and again.
+    """Return an animated PNG, which also moves where a code page shows a notebook.
 
-    All pictures share 128 colors, and only what changes is stored. `durations_ms`: how long each of them stands;
-    without it, `per_second` of them are shown. Raises ValueError when there are none.
+    It plays in a loop.
+
+    All frames share 128 colors, and only changed pixels are stored. `durations_ms`: how long to show each frame;
+    without it, `per_second` frames are shown per second. Raises ValueError if there are no frames.
     """
     if not pictures:
-        raise ValueError("a film needs at least one picture")
+        raise ValueError("a film needs at least one frame")
     frames = [Image.open(io.BytesIO(picture)).convert("RGBA") for picture in pictures]
     width, height = frames[0].size
     sheet = Image.new("RGBA", (width, height * len(frames)))

@@ -1,4 +1,4 @@
-"""Picture of a ROS graph: nodes and topics as boxes, an arrow for each publisher and subscription."""
+"""Draw a ROS graph: nodes and topics as boxes, an arrow for each publisher and subscription."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -38,11 +38,11 @@ def draw(
     *,
     highlight: Iterable[str] = (),
 ) -> bytes:
-    """The graph as PNG bytes.
+    """Return the graph as PNG bytes.
 
-    `nodes` are full names, `topics` maps names to message types (or just lists names), and each edge goes from a node
-    to a topic it publishes, or from a topic to a node that subscribes to it. Names in `highlight` are drawn bolder.
-    Raises ValueError for an edge that does not join a known node and a known topic.
+    `nodes` are fully qualified names, and `topics` maps names to message types (or just lists names). Each edge goes
+    from a node to a topic that it publishes, or from a topic to a node that subscribes to it. Names in `highlight` are
+    drawn with a thicker outline. Raises ValueError for an edge that doesn't join a known node and a known topic.
     """
     node_boxes = {name: _node(name) for name in dict.fromkeys(nodes)}
     types = dict(topics) if isinstance(topics, Mapping) else dict.fromkeys(topics, "")
@@ -75,7 +75,7 @@ def draw(
 
 
 def describe(nodes: Iterable[str], topics: Mapping[str, str] | Iterable[str], edges: Iterable[Edge]) -> str:
-    """The graph in words, as its alternative text."""
+    """Describe the graph in words, as its alternative text."""
     links = sorted(f"{start} to {end}" for start, end in edges)
     return f"ROS graph: nodes {_list(nodes)}; topics {_list(topics)}; {', '.join(links) or 'no connections'}"
 
@@ -101,7 +101,7 @@ _Pairs = list[tuple[_Box, _Box]]
 
 
 def _directed(boxes: list[_Box], pairs: _Pairs) -> tuple[_Pairs, _Pairs]:
-    """The arrows that go forward, and those that would close a circle."""
+    """Return the arrows that go forward, and those that would close a cycle."""
     leaving: dict[_Box, _Pairs] = {box: [] for box in boxes}
     entered = {end for _, end in pairs}
     for pair in pairs:
@@ -128,7 +128,7 @@ def _directed(boxes: list[_Box], pairs: _Pairs) -> tuple[_Pairs, _Pairs]:
 
 
 def _place(boxes: list[_Box], forward: _Pairs) -> tuple[float, float]:
-    """Layers from left to right, each ordered by the boxes it is joined to; returns width and height."""
+    """Arrange the boxes in layers from left to right, sorted by their neighbors' positions. Return width and height."""
     for start, end in forward:
         start.after.append(end)
         end.before.append(start)

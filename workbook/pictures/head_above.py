@@ -1,4 +1,4 @@
-"""The robot's head from above, with its line of sight and the ball."""
+"""Draw the robot's head from above, with its line of sight and the ball."""
 
 import math
 
@@ -13,9 +13,9 @@ _SHELL, _DARK = "#eef2f7", "#4c5a69"
 
 
 def draw(neck: float, ball: tuple[float, float] | None, scale: float = 1.5) -> bytes:
-    """The head turned to the left by `neck` (rad), as PNG bytes.
+    """Draw the head turned to the left by `neck` (rad), and return PNG bytes.
 
-    `ball`: how far in front of the robot and to its left the ball is (m); None if it is unknown.
+    `ball`: how far in front of the robot and to its left the ball is (m); None if unknown.
     """
     canvas = Canvas(WIDTH, HEIGHT, scale)
     end = _ahead(neck, 172)

@@ -1,4 +1,4 @@
-"""The humanoid on screen: a robot with twelve joints, drawn from twelve angles."""
+"""Draw the humanoid: a robot with twelve joints, posed by twelve angles."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -30,16 +30,16 @@ Lamp = Literal["operational", "error"]
 
 WIDTH, HEIGHT, PANEL = 420, 420, TABLE_WIDTH
 SCALE = 1.5
-"""Dots per pixel: sharp enough, and fast enough for twenty pictures a second."""
+"""Dots per pixel: sharp enough, and fast enough for twenty frames per second."""
 DESCRIPTION = "humanoid, 12 joints"
 
 GROUND = 388.0
-"""Where the ground is, from the upper edge (px)."""
+"""The ground's distance from the upper edge (px)."""
 GLANCE, GLANCE_REACH = (4.0, 2.0), 60.0
-"""How far the eyes go at most, aside and up, and how high above its shoulder a hand is when they are nearly there."""
+"""The eyes' largest shift, sideways and up, and the height of a hand above its shoulder that nearly causes it."""
 STEM_FROM, STEM_TO = 82.0, 22.0
 NECK_BENDS = "neck bends"
-"""Between chest and head, the neck takes a part of the head's angle."""
+"""Between the chest and the head, the neck bends by part of the head's angle."""
 _SHELL, _SHADE, _DARK, _VISOR = "#eef2f7", "#cdd7e3", "#4c5a69", "#1b2733"
 _EYES, _ANGRY, _DIM = "#7fd0ff", "#ffb3a1", "#9aa7b5"
 _LINE = 2.2
@@ -56,11 +56,11 @@ def draw(
     panel: bool = False,
     scale: float = SCALE,
 ) -> bytes:
-    """The humanoid at twelve joint angles (rad, in the order of JOINT_NAMES), as PNG bytes.
+    """Draw the humanoid at twelve joint angles (rad, in the order of JOINT_NAMES), and return PNG bytes.
 
-    `lamp` lights the lamp on its chest, `caption` is a line under its feet, `panel` adds the twelve values beside it.
-    `scale` is dots per pixel: more is sharper on a fine screen and slower.
-    Raises ValueError, in words for the sender, unless there are twelve finite angles.
+    `lamp` lights the lamp on its chest, `caption` is a line under its feet, and `panel` adds a table of the twelve
+    values. `scale` is the dots per pixel: more is sharper on a high-resolution screen, but slower. Raises ValueError,
+    worded for the sender, unless there are twelve finite angles.
     """
     pose = checked(angles)
     canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT, scale)
@@ -75,7 +75,7 @@ def draw(
 
 
 def placeholder(text: str = "no message yet", *, panel: bool = False, scale: float = SCALE) -> bytes:
-    """The robot asleep, with a line of text: what to show before the first message arrives."""
+    """Draw the sleeping robot with a line of text, to show before the first message arrives. Return PNG bytes."""
     canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT, scale)
     figure = skeleton(NEUTRAL)
     _ground(canvas, figure)
@@ -88,13 +88,13 @@ def placeholder(text: str = "no message yet", *, panel: bool = False, scale: flo
 
 
 def snores(canvas: Canvas) -> None:
-    """The three letters above a robot that sleeps."""
+    """Draw the three letters above a sleeping robot."""
     for at, size in (((282, 92), 15.0), ((299, 72), 19.0), ((320, 48), 24.0)):
         canvas.text(at, "z", Font(size=size, bold=True))
 
 
 def on_picture(point: Point) -> Point:
-    """Where a point of the skeleton is on the picture."""
+    """Return a skeleton point's position in the image."""
     return (WIDTH / 2 + point[0], GROUND - point[1])
 
 
@@ -114,9 +114,9 @@ def _robot(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool 
 
 
 class Part(NamedTuple):
-    """A rigid part of the figure: how it is drawn, and the joints that turn it, from the body outward.
+    """A rigid part of the figure: how it's drawn, and the joints that turn it, from the body outward.
 
-    `glance` is how far (x, y) it goes along with the eyes, from 0 to 1.
+    `glance` is the share (x, y) of the eyes' shift that it follows, from 0 to 1.
     """
 
     name: str
@@ -126,7 +126,7 @@ class Part(NamedTuple):
 
 
 def parts(figure: Skeleton, lamp: Lamp | None, *, asleep: bool = False) -> Iterator[Part]:
-    """The parts in the order in which they are drawn, each over the ones before."""
+    """Yield the parts in drawing order, each on top of the previous ones."""
     chest, head = ("waist",), ("waist", "neck")
     for leg in figure.legs:
         hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))
@@ -152,7 +152,7 @@ def parts(figure: Skeleton, lamp: Lamp | None, *, asleep: bool = False) -> Itera
 
 
 def _segment(canvas: Canvas, start: Point, end: Point, thick: float, thin: float) -> None:
-    """A part of a limb: shell, a shaded edge on its outer side, outline."""
+    """Draw a segment of a limb: the shell, a shaded edge on its outer side, and the outline."""
     a, b = on_picture(start), on_picture(end)
     canvas.capsule(a, b, thick, thin, Paint(fill=_SHADE))
     length = math.hypot(b[0] - a[0], b[1] - a[1]) or 1.0
@@ -306,7 +306,7 @@ def _on_face(figure: Skeleton, points: Iterable[Point]) -> list[Point]:
 
 
 def _glance(figure: Skeleton) -> Point:
-    """How far the eyes look aside and up: the robot looks at the hand that it holds higher."""
+    """Return the eyes' shift, sideways and up: the robot looks at its higher hand."""
     left, right = (arm.end[1] - arm.root[1] for arm in figure.arms)
     aside = GLANCE[0] * math.tanh((left - right) / GLANCE_REACH)
     return aside, GLANCE[1] * max(0.0, math.tanh(max(left, right) / GLANCE_REACH))
@@ -365,7 +365,7 @@ def _soft(
     *,
     round_off: float = 0.25,
 ) -> None:
-    """A polygon whose corners are rounded off."""
+    """Draw a polygon with rounded corners."""
     points: list[Point] = []
     codes: list[int] = []
     move, straight, bent, close = (int(Path.MOVETO), int(Path.LINETO), int(Path.CURVE3), int(Path.CLOSEPOLY))

@@ -1,4 +1,4 @@
-"""The twelve joint angles as a table, next to the robot."""
+"""Draw the twelve joint angles as a table next to the robot."""
 
 import math
 from collections.abc import Sequence
@@ -11,9 +11,9 @@ TABLE_WIDTH = 284
 
 
 def joint_table(canvas: Canvas, pose: Sequence[float] | None, at: float) -> None:
-    """Draw twelve angles (rad), from `at` (px) on: index, name, a gauge from -π to π, and the number.
+    """Draw twelve angles (rad), starting at `at` (px): index, name, a gauge from -π to π, and the number.
 
-    A broad line in the gauge is the comfortable range. Without a pose there are no numbers yet.
+    A thick line in the gauge marks the comfortable range. Without a pose, there are no numbers.
     """
     left, gauge, number = at + 4.0, at + 138.0, at + TABLE_WIDTH - 8.0
     half = 34.0

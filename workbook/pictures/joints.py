@@ -1,9 +1,9 @@
-"""The twelve joints of the humanoid: names, order, ranges, poses, and where each part is for given angles.
+"""Define the humanoid's twelve joints: names, order, ranges, poses, and each part's position for given angles.
 
-The robot faces you, so its left side is at your right. Every joint turns in the plane of the picture: 0.5 rad sent
-is 0.5 rad seen. Zero everywhere is the robot standing with its arms hanging down. For arms and legs a positive angle
-opens outward, on either side, so equal values left and right make a symmetrical pose; a positive knee folds the
-shin back inward. Neck and waist lean to the robot's left for positive angles.
+The robot faces you, so its left side is on your right. Every joint turns in the plane of the figure, so an angle of
+0.5 rad looks like 0.5 rad. With all angles at zero, the robot stands with its arms hanging down. For arms and legs, a
+positive angle opens outward, so equal values left and right make a symmetrical pose. A positive knee angle folds the
+shin back inward. For positive angles, neck and waist lean to the robot's left.
 """
 
 import math
@@ -46,7 +46,7 @@ COMFORTABLE: Mapping[str, tuple[float, float]] = MappingProxyType(
         "right_ankle": (-0.8, 0.8),
     }
 )
-"""Lowest and highest angle in rad that a joint reaches at ease. Any finite angle can be drawn."""
+"""The lowest and highest angle (rad) that a joint reaches comfortably. Any finite angle can be drawn."""
 
 UPPER_ARM, FOREARM, HAND = 56.0, 50.0, 15.0
 THIGH, SHIN, SOLE = 56.0, 54.0, 15.0
@@ -54,11 +54,14 @@ PELVIS_RADIUS, CHEST, NECK, HEAD = 26.0, 92.0, 16.0, 84.0
 SHOULDER_OUT, SHOULDER_UP, HIP_OUT, WAIST_UP = 57.0, 74.0, 25.0, 12.0
 FOOT_INNER, FOOT_OUTER = 20.0, 27.0
 SWAY = -0.5 * (CHEST + NECK)
-"""How far the hips go aside where the body leans, for the sine of its angle."""
+"""The hips' sideways shift when the body leans, per sine of the lean angle."""
 
 
 def pose(**angles: float) -> Angles:
-    """Twelve angles, zero but for the joints that are named: `pose(left_shoulder=1.5)`."""
+    """Return twelve angles that are zero except for the named joints: `pose(left_shoulder=1.5)`.
+
+    Raises ValueError for an unknown joint.
+    """
     unknown = sorted(set(angles) - set(JOINT_NAMES))
     if unknown:
         raise ValueError(f"no joint is called {unknown[0]!r}; the joints are {', '.join(JOINT_NAMES)}")
@@ -89,7 +92,7 @@ FLINCH = pose(
 
 
 def waving(t: float) -> Angles:
-    """A friendly wave, `t` seconds after its start."""
+    """Return the pose of a friendly wave, `t` seconds after its start."""
     swing = math.sin(2 * math.pi * 1.1 * t)
     return _changed(
         WAVE, left_elbow=0.45 + 0.5 * swing, neck=0.14 + 0.05 * swing, waist=0.04 * swing,
@@ -98,7 +101,7 @@ def waving(t: float) -> Angles:
 
 
 def walking(t: float) -> Angles:
-    """Marching on the spot, one step per second, `t` seconds after its start."""
+    """Return the pose of marching on the spot, one step per second, `t` seconds after its start."""
     swing = math.sin(math.pi * t)
     left, right = max(0.0, swing), max(0.0, -swing)
     return pose(
@@ -111,10 +114,9 @@ def walking(t: float) -> Angles:
 
 
 def checked(angles: Iterable[float]) -> Angles:
-    """The twelve angles as floats.
+    """Return the twelve angles as floats.
 
-    Raises ValueError, in a sentence for the person who sent them, when there are not twelve or one is not a finite
-    number.
+    Raises ValueError, worded for the sender, unless there are twelve angles and all are finite numbers.
     """
     try:
         values = list(angles)
@@ -142,9 +144,9 @@ def checked(angles: Iterable[float]) -> Angles:
 
 @dataclass(frozen=True)
 class Limb:
-    """An arm or a leg: its joints from the body outward, the tip, and the outward angle of each part (rad).
+    """An arm or a leg: its joints from the body outward, and the outward angle of each part and the tip (rad).
 
-    `side` is +1 for the robot's left (at the right of the picture) and -1 for its right.
+    `side` is +1 for the robot's left (on the right of the figure) and -1 for its right.
     """
 
     side: int
@@ -157,13 +159,13 @@ class Limb:
 
     @property
     def word(self) -> str:
-        """Which side of the robot it is on."""
+        """The side of the robot that the limb is on."""
         return "left" if self.side > 0 else "right"
 
 
 @dataclass(frozen=True)
 class Skeleton:
-    """Where everything is, in picture units from the middle of the ground line: x to your right, y up."""
+    """The position of every part, in figure units from the middle of the ground line: x to your right, y up."""
 
     pelvis: Point
     waist: Point
@@ -174,19 +176,19 @@ class Skeleton:
     legs: tuple[Limb, Limb]
 
     def on_torso(self, x: float, y: float) -> Point:
-        """A point given in the torso's own frame: from the waist, x to your right and y toward the neck."""
+        """Return a point given in the torso's own frame: from the waist, x to your right and y toward the neck."""
         return _turned(self.waist, self.lean, x, y)
 
     def on_head(self, x: float, y: float) -> Point:
-        """A point given in the head's own frame: from the neck, y toward the crown."""
+        """Return a point given in the head's own frame: from the neck, y toward the crown."""
         return _turned(self.neck, self.lean + self.tilt, x, y)
 
 
 def skeleton(angles: Sequence[float]) -> Skeleton:
-    """Forward kinematics: the figure for twelve checked angles, with its lowest point on the ground."""
+    """Compute the figure for twelve checked angles (forward kinematics), with its lowest point on the ground."""
     joint = dict(zip(JOINT_NAMES, angles, strict=True))
     lean, tilt = joint["waist"], joint["neck"]
-    # A body that leans puts its hips the other way, so that it keeps its balance (and stays in the picture).
+    # A leaning body shifts its hips the other way, which keeps its balance (and keeps it inside the figure).
     pelvis = (SWAY * math.sin(lean), 0.0)
     waist = (pelvis[0], WAIST_UP)
     neck = _turned(waist, lean, 0.0, CHEST)
@@ -208,13 +210,16 @@ def skeleton(angles: Sequence[float]) -> Skeleton:
 
 
 def foot(leg: Limb, x: float, y: float) -> Point:
-    """A point of a foot: from the ankle, x outward along the sole, y away from the sole."""
+    """Return a point on a foot: from the ankle, x outward along the sole, y away from the sole."""
     cos, sin = math.cos(leg.tip), math.sin(leg.tip)
     return (leg.end[0] + leg.side * (x * cos - y * sin), leg.end[1] + x * sin + y * cos)
 
 
 def touching(figure: Skeleton) -> Iterator[tuple[tuple[str, ...], Point, float]]:
-    """What may be the lowest: the joints that turn it, from the body outward, a point, and how far it reaches below."""
+    """Yield candidates for the lowest point.
+
+    Each has the joints that turn it, from the body outward, a point, and how far it extends below that point.
+    """
     for leg in figure.legs:
         hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))
         for x in (-FOOT_INNER, FOOT_OUTER):
@@ -234,15 +239,15 @@ def touching(figure: Skeleton) -> Iterator[tuple[tuple[str, ...], Point, float]]
 
 
 def blend(start: Sequence[float], end: Sequence[float], part: float) -> Angles:
-    """The pose a `part` (0 to 1) of the way from `start` to `end`."""
+    """Return the pose that is a `part` (0 to 1) of the way from `start` to `end`."""
     return tuple(a + (b - a) * part for a, b in zip(start, end, strict=True))
 
 
 class Follower:
-    """Glides from each pose to the next, as a servo does, so that poses which come every 2 s still move smoothly.
+    """Glides from each pose to the next, like a servo, so that even poses that arrive every 2 s lead to smooth motion.
 
-    `aim(angles, now)` when a message arrives, `angles(now)` for each frame; `now` in s, of any steady clock. A new
-    aim is reached after `ease` seconds.
+    Call `aim(angles, now)` when a message arrives, and `angles(now)` for each frame. `now` is in s, on any steady
+    clock. A new aim is reached after `ease` seconds.
     """
 
     def __init__(self, ease: float = 0.8, start: Iterable[float] = NEUTRAL) -> None:
@@ -251,12 +256,17 @@ class Follower:
         self._since = -math.inf
 
     def aim(self, angles: Iterable[float], now: float) -> None:
-        """Set out for these angles. Raises ValueError, and keeps its aim, when they cannot be drawn."""
+        """Move toward these angles. If they can't be drawn, raise ValueError and keep the previous aim."""
         aim = checked(angles)
         self._from, self._to, self._since = self.angles(now), aim, now
 
+    @property
+    def aimed(self) -> Angles:
+        """The angles that it's moving toward (rad)."""
+        return self._to
+
     def angles(self, now: float) -> Angles:
-        """The angles at this moment (rad)."""
+        """Return the angles at this moment (rad)."""
         part = 1.0 if self.ease <= 0 else min(1.0, max(0.0, (now - self._since) / self.ease))
         return self._to if part >= 1.0 else blend(self._from, self._to, part * part * (3 - 2 * part))
 

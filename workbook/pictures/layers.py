@@ -1,4 +1,4 @@
-"""A drawing of the layers of ROS 2: a Python node beside a C++ node, from their own code down to the network."""
+"""Draw the layers of ROS 2: a Python node next to a C++ node, from their own code down to the network."""
 
 from typing import Any
 
@@ -22,11 +22,11 @@ LAYERS = (
 WIDTH, HEIGHT = 2.1, 0.7
 LEFT, RIGHT = 0.0, 3.0
 OF_A_LANGUAGE = 2
-"""The upper layers that each language has for itself."""
+"""The number of upper layers that are specific to each language."""
 
 
 def layers() -> Figure:
-    """The drawing; `DESCRIPTION` is its alternative text."""
+    """Return the drawing. `DESCRIPTION` is its alternative text."""
     fig, axes = figure(6.6, 3.0)
     for row, (left, right, what) in enumerate(LAYERS):
         bottom = float(len(LAYERS) - row)
@@ -56,7 +56,7 @@ def _box(axes: Any, left: float, bottom: float, name: str, color: str) -> None:
 
 
 def _wire(axes: Any) -> None:
-    """The arrow from DDS to DDS, with what goes along it."""
+    """Draw the arrow from DDS to DDS with its label."""
     arrow = {"arrowstyle": "<->", "color": GREY, "linewidth": 1.6}
     middle = 1.0 + HEIGHT / 2
     axes.annotate("", xy=(LEFT + WIDTH + 0.06, middle), xytext=(RIGHT - 0.06, middle), arrowprops=arrow)

@@ -1,7 +1,7 @@
-"""A picture that moves in a notebook cell, and stays as a still when it has ended.
+"""Show a moving figure in a notebook cell, where its last frame remains as a still.
 
-Everything runs in the one thread of the kernel: frames are drawn while a cell awaits `animate`, and ROS callbacks,
-widgets and other tasks run in between. Stop ends it with the last frame on the page.
+Everything runs in the kernel's one thread. Frames are drawn while a cell awaits `animate`; ROS callbacks, widgets,
+and other tasks run in between. Stop ends the figure, and leaves the last frame on the page.
 """
 
 import asyncio
@@ -15,49 +15,49 @@ from workbook.pictures.stills import Still
 
 
 class Screen(Protocol):
-    """Where a live picture is shown."""
+    """The place where a live figure is shown."""
 
     def show(self, still: Still) -> None:
-        """Show the first picture."""
+        """Show the first frame."""
 
     def update(self, still: Still) -> None:
-        """Replace it by the next one."""
+        """Replace the frame with the next one."""
 
     def finish(self, still: Still) -> None:
-        """Leave the last one."""
+        """Leave the last frame."""
 
 
 class CellOutput:
-    """The output area of the running cell: one picture, replaced in place.
+    """The output area of the running cell: one figure, replaced in place.
 
-    While it moves, each frame travels once; `finish` leaves the last one in all the forms that a still has.
+    While the figure moves, each frame is sent once. `finish` leaves the last frame in all the formats of a still.
     """
 
     def __init__(self) -> None:
         self._handle: Any = None
 
     def show(self, still: Still) -> None:
-        """Show the first picture in the cell."""
+        """Show the first frame in the cell."""
         from IPython.display import display
 
         self._handle = display(still, display_id=True)
 
     def update(self, still: Still) -> None:
-        """Replace the picture, as HTML only."""
+        """Replace the frame, as HTML only."""
         if self._handle is not None:
             bundle = {"text/plain": repr(still), "text/html": img_tag(still.png, still.description)}
             self._handle.update(bundle, raw=True)
 
     def finish(self, still: Still) -> None:
-        """Replace the picture by the last one, in all forms."""
+        """Replace the frame with the last one, in all formats."""
         if self._handle is not None:
             self._handle.update(still)
 
 
 class LiveFigure:
-    """One picture on the page that is replaced by each `show(png)`.
+    """A figure on the page that each `show(png)` replaces.
 
-    `describe` is the text for those who cannot see it; it stays the same for every frame.
+    `describe` is the alternative text, which is the same for every frame.
     """
 
     def __init__(self, describe: str, screen: Screen | None = None) -> None:
@@ -67,7 +67,7 @@ class LiveFigure:
         self._screen: Screen = screen or CellOutput()
 
     def show(self, png: bytes) -> None:
-        """Put this frame in the place of the one before."""
+        """Show this frame instead of the previous one."""
         still = Still(png, self.describe)
         if self.still is None:
             self._screen.show(still)
@@ -77,16 +77,16 @@ class LiveFigure:
         self.frames += 1
 
     def finish(self) -> None:
-        """Leave the last frame as the still picture of the cell."""
+        """Leave the last frame as the cell's still."""
         if self.still is not None:
             self._screen.finish(self.still)
 
 
 @dataclass(frozen=True, repr=False)
 class LiveStill(Still):
-    """The last frame of a live picture, with what was measured of the showing.
+    """The last frame of a live figure, with measurements.
 
-    `frames` pictures were shown in `seconds` of real time; `stopped` is True when it was stopped before its time.
+    `frames` were shown in `seconds` of real time. `stopped` is True if the figure was stopped early.
     """
 
     frames: int = 0
@@ -96,11 +96,11 @@ class LiveStill(Still):
 
     @property
     def frames_per_second(self) -> float:
-        """How many pictures per second were really shown."""
+        """The actual number of frames shown per second."""
         return self.frames / self.seconds if self.seconds > 0 else 0.0
 
     def _ipython_display_(self) -> None:
-        # In the cell that showed it live, the picture is on the page already.
+        # In the cell that showed the figure live, it's already on the page.
         if self.cell is None or self.cell != _running_cell():
             from IPython.display import display
 
@@ -115,14 +115,14 @@ async def animate(
     describe: str,
     screen: Screen | None = None,
 ) -> LiveStill:
-    """Show the PNG that `frame()` gives, up to `fps` times per second, for `seconds` of real time.
+    """Show the PNG that `frame()` returns, up to `fps` times per second, for `seconds` of real time.
 
-    `frame` returns None when there is nothing new: the picture stays. It may let waiting ROS callbacks run, but it
-    must not block. A busy machine shows fewer frames and never falls behind. Stop (the cell is interrupted, the task
-    canceled) ends the showing early, without an error, and the code after it goes on.
+    `frame` returns None if nothing has changed, so that the last frame stays. It may let waiting ROS callbacks run, but
+    it must not block. A busy machine shows fewer frames, but never falls behind. Stop (the cell is interrupted, the
+    task canceled) ends the animation early, without an error, and the code after it continues.
 
-    Returns the last frame, with `frames_per_second` as really shown. Raises ValueError for a rate or time that is
-    not positive, RuntimeError if `frame` never gave a picture.
+    Returns the last frame, with the true `frames_per_second`. Raises ValueError for a rate or time that isn't positive,
+    and RuntimeError if `frame` always returned None.
     """
     if not fps > 0 or not seconds > 0:
         raise ValueError(f"seconds and fps must be above zero, not {seconds} and {fps}")
@@ -134,7 +134,7 @@ async def animate(
         elapsed = time.perf_counter() - start
         figure.finish()
     if figure.still is None:
-        raise RuntimeError("there was no picture to show: frame() gave None each time")
+        raise RuntimeError("there was no frame to show: frame() returned None each time")
     return LiveStill(
         figure.still.png,
         describe,
@@ -148,9 +148,9 @@ async def animate(
 async def _show_frames(
     figure: LiveFigure, frame: Callable[[], bytes | None], end: float, period: float
 ) -> bool:
-    """Show frames until `end`, on the clock of `time.perf_counter`. Returns whether it was stopped before.
+    """Show frames until `end`, on the clock of `time.perf_counter`. Return whether the figure was stopped early.
 
-    A Stop before there was any picture is passed on.
+    A Stop before the first frame is passed on.
     """
     due = now = time.perf_counter()
     try:
@@ -160,7 +160,7 @@ async def _show_frames(
                 figure.show(png)
             now = time.perf_counter()
             due = max(due + period, now)
-            # At least one iteration of the event loop for other tasks, also when a frame takes longer than its period.
+            # Give other tasks at least one iteration of the event loop, even if a frame takes longer than its period.
             await asyncio.sleep(max(0.0, min(due, end) - now))
             now = time.perf_counter()
     except asyncio.CancelledError:

@@ -1,7 +1,9 @@
-"""The one drawing of what happens between DDS and a callback: queues, wait set, executor, callbacks, at one moment.
+"""Draw the path between DDS and a callback at one moment, always in the same way.
 
-Each source has a row: a subscription, a client and a service a queue, a timer room for one tick. Blue is what has come,
-red what was lost, green a callback that runs, amber one that has been busy for long.
+The parts are queues, wait set, executor, and callbacks.
+
+Each source has a row: a subscription, client, or service has a queue, and a timer has room for one tick. Arrived
+items are blue, lost ones red, a running callback green, and one that has been busy for long amber.
 """
 
 from dataclasses import dataclass
@@ -14,11 +16,11 @@ WIDTH = 760.0
 TOP, ROW, BOTTOM = 26.0, 64.0, 52.0
 SCALE = 1.5
 SLOTS = 10
-"""Places of a queue that are drawn; of more that wait, only the number is told."""
+"""The number of queue slots that are drawn. If more items wait, only their number is shown."""
 LONG_S = 0.15
-"""A callback that is busy for longer is drawn in amber, with its time."""
+"""A callback that is busy for longer than this is drawn in amber, with its time."""
 JUST_S = 0.03
-"""What came or was lost within this time is marked as new."""
+"""Items that arrived or were lost within this time are marked as new."""
 DDS, QUEUE_END, WAIT_SET, EXECUTOR, CALLBACK = (
     (6.0, 72.0),
     326.0,
@@ -26,10 +28,10 @@ DDS, QUEUE_END, WAIT_SET, EXECUTOR, CALLBACK = (
     (448.0, 112.0),
     (588.0, 166.0),
 )
-"""Where the columns lie: left edge and width, and the front of the queues."""
+"""The positions of the columns: left edge and width, and for the queues, only their front."""
 SLOT, RADIUS = 22.0, 9.5
 PALE, DARK = "#d6e6fa", "#173a66"
-"""Of an item: its face, and its number."""
+"""For an item's face, and for its number."""
 HEAD, SMALL, PLAIN = Font(size=12, bold=True), Font(size=10.5), Font(size=11.5)
 FRAME = Paint(stroke=GREY, width=1.4)
 UNUSED = Paint(stroke=GREY, width=1.4, dash=(4, 4), alpha=0.7)
@@ -38,7 +40,7 @@ QUIET = Paint(stroke=GREY, width=1.2, alpha=0.5)
 
 @dataclass(frozen=True)
 class Instant:
-    """A moment of a recording (s), what happens then in one sentence, and for how long it is shown (ms)."""
+    """A moment in a recording (s), a sentence about the event, and how long the frame is shown (ms)."""
 
     t: float
     words: str
@@ -46,12 +48,12 @@ class Instant:
 
 
 def height_of(recording: MachineRecording) -> float:
-    """How high (px) the drawing of a recording is."""
+    """Return the height (px) of a recording's drawing."""
     return TOP + ROW * len(recording.sources) + BOTTOM
 
 
 def draw(recording: MachineRecording, moment: Instant) -> bytes:
-    """The machine at this moment, as PNG bytes."""
+    """Draw the machine at this moment, and return PNG bytes."""
     canvas = Canvas(WIDTH, height_of(recording), SCALE)
     _columns(canvas, recording, moment.t)
     running = recording.running(moment.t)
@@ -86,7 +88,7 @@ def _columns(canvas: Canvas, recording: MachineRecording, now: float) -> None:
 
 
 def _wires(canvas: Canvas, recording: MachineRecording, place: int, now: float) -> None:
-    """The row's box of DDS, or its clock, and the lines on which things travel."""
+    """Draw the row's DDS box or clock, and the lines along which items travel."""
     middle, source = _middle(place), recording.sources[place]
     left, width = DDS
     if source.kind == "timer":
@@ -136,7 +138,7 @@ def _queue(canvas: Canvas, recording: MachineRecording, place: int, now: float) 
 
 
 def _losses(canvas: Canvas, source: Source, lost: list[Item], y: float, now: float) -> None:
-    """How much a source has lost, and beside it what was lost just now."""
+    """Draw the number of items that a source has lost, and next to it an item that was lost just now."""
     if not lost:
         return
     words = f"✗ {len(lost)} {'missed' if source.kind == 'timer' else 'thrown away'}"
@@ -168,7 +170,10 @@ def _number(canvas: Canvas, center: Point, number: int, source: Source) -> None:
 
 
 def _lamp(canvas: Canvas, recording: MachineRecording, place: int, now: float) -> None:
-    """In the wait set: filled when something of this row is ready. Not drawn where the executor does not ask for it."""
+    """Draw the lamp in the wait set: filled if this row has a ready item.
+
+    It's replaced by a line if the executor doesn't wait for this row.
+    """
     center = (WAIT_SET[0] + WAIT_SET[1] / 2, _middle(place) + 1)
     asked = recording.waits_for(now)
     if not recording.spins(now) or (asked is not None and place not in asked):
@@ -181,7 +186,7 @@ def _lamp(canvas: Canvas, recording: MachineRecording, place: int, now: float) -
 
 
 def _executor(canvas: Canvas, recording: MachineRecording, running: list[Call], now: float) -> None:
-    """The threads of the executor: what each of them does."""
+    """Draw the executor's threads, each with its activity."""
     left, width = EXECUTOR
     middle = TOP + ROW * len(recording.sources) / 2
     active = [one for one in running if not one.is_paused(now)]
@@ -232,7 +237,7 @@ def _callback(canvas: Canvas, source: Source, middle: float, running: list[Call]
 
 
 def _foot(canvas: Canvas, recording: MachineRecording, moment: Instant) -> None:
-    """The clock, how far the recording has got, and what happens."""
+    """Draw the clock, the progress of the recording, and the current event."""
     y = height_of(recording) - 34
     left, right = DDS[0] + 66, CALLBACK[0] + CALLBACK[1]
     canvas.text((DDS[0], y + 4), f"{moment.t:.2f} s", HEAD)

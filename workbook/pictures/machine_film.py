@@ -1,7 +1,7 @@
-"""A recording of the machine, played back: which moments are worth a picture, what is said at each, and the film.
+"""Play back a recording of the machine: choose the moments, describe each, and make the film.
 
-Time is stretched: ten callbacks within a millisecond get a picture each, and a second in which nothing changes gets
-few. The clock in each picture says when it was.
+Time is stretched: ten callbacks within a millisecond get a frame each, but a second without changes gets only a few.
+The clock in each frame shows the recorded time.
 """
 
 import io
@@ -20,19 +20,19 @@ from workbook.recording.machine import Call, Item, MachineRecording
 from workbook.templating import render
 
 SOON_S = 0.02
-"""A tick that is served within this time gets no picture of its own: only its callback does."""
+"""A tick that is served within this time gets no separate frame: only its callback does."""
 LOOK_S = 0.25
-"""Where nothing new happens, there is a picture so often."""
+"""If nothing new happens, there is a frame this often."""
 SHORTEST_MS, LONGEST_MS, LAST_MS = 320, 700, 2500
 MOST = 64
-"""Pictures of a film."""
+"""The most frames in a film."""
 STEPS = 6
-"""Pictures side by side for those who want no motion."""
+"""The number of frames in the column for readers who prefer no motion."""
 
 
 @dataclass(frozen=True, repr=False)
 class MovingMachine(Still):
-    """A film of the machine; for those who want no motion, its fullest picture, and some in a column."""
+    """A film of the machine. For readers who prefer no motion, it has its fullest frame and a column of frames."""
 
     still: bytes = b""
     steps: bytes = b""
@@ -57,10 +57,13 @@ class MovingMachine(Still):
 def play(
     recording: MachineRecording, description: str, begin: float = 0.0, end: float | None = None
 ) -> MovingMachine:
-    """The film of a recording from `begin` to `end` (s). Raises ValueError when nothing happened in that time."""
+    """Make the film of a recording from `begin` to `end` (s).
+
+    Raises ValueError if nothing happened in that time.
+    """
     chosen = moments(recording, begin, recording.seconds if end is None else end)
     if len(chosen) < 2:
-        raise ValueError("nothing was noted in this time: the nodes got no message, and no timer was due")
+        raise ValueError("nothing happened in this time: no message arrived, and no timer was due")
     frames = [draw(recording, moment) for moment in chosen]
     film = moving_png(frames, durations_ms=[one.shown_ms for one in chosen], dots_per_pixel=SCALE)
     last = len(frames) - 1
@@ -70,13 +73,13 @@ def play(
 
 
 def _busy(recording: MachineRecording, now: float) -> int:
-    """How much there is to see at a moment."""
+    """Return how many items wait and how many callbacks run at a moment."""
     waiting = sum(len(recording.waiting(place, now)) for place in range(len(recording.sources)))
     return waiting + len(recording.running(now))
 
 
 def moments(recording: MachineRecording, begin: float, end: float) -> list[Instant]:
-    """The moments that get a picture, in order, 64 at the most."""
+    """Return the moments that get a frame, in order, at most 64."""
     found = [one for one in sorted(_events(recording)) if begin <= one[0] <= end]
     told = [(begin, ""), *found, (end, "")]
     filled: list[tuple[float, str]] = []
@@ -127,7 +130,7 @@ def _came(recording: MachineRecording, item: Item) -> tuple[float, str] | None:
 
 def _missed(recording: MachineRecording, item: Item) -> str:
     source = recording.sources[item.source]
-    return f"The timer of {source.callback} is due again, but one tick waits already: this one is missed."
+    return f"The timer of {source.callback} is due again, but one tick waits already: this tick is missed."
 
 
 def _called(recording: MachineRecording, call: Call) -> str:
@@ -141,15 +144,15 @@ def _called(recording: MachineRecording, call: Call) -> str:
 
 
 def _meanwhile(recording: MachineRecording, now: float) -> str:
-    """What is the case where nothing new happens."""
+    """Describe a moment at which nothing new happens."""
     running = [one for one in recording.running(now) if not one.is_paused(now)]
     if running:
         names = " and ".join(recording.sources[one.source].callback or "a response" for one in running)
         verb = "run" if len(running) > 1 else "runs"
         waits = any(recording.waiting(place, now) for place in range(len(recording.sources)))
-        return f"{names} {verb}. {'What is ready has to wait.' if waits else 'Nothing else is ready.'}"
+        return f"{names} {verb}. {'Ready callbacks have to wait.' if waits else 'Nothing else is ready.'}"
     if not recording.spins(now):
-        return "No thread is in spin. What comes waits in its queue."
+        return "No thread is in spin. New messages wait in their queues."
     asked = recording.waits_for(now) or ()
     if any(recording.waiting(place, now) for place in asked):
         return "Something is ready. The executor takes it next."
@@ -157,7 +160,7 @@ def _meanwhile(recording: MachineRecording, now: float) -> str:
 
 
 def _one_below_another(frames: Sequence[bytes]) -> bytes:
-    """Pictures of one size in a column, in the colors of a drawing."""
+    """Arrange frames of one size in a column, in the colors of a drawing."""
     pictures = [Image.open(io.BytesIO(frame)).convert("RGBA") for frame in frames]
     width, height = pictures[0].size
     sheet = Image.new("RGBA", (width, height * len(pictures)))

@@ -1,4 +1,4 @@
-"""Gaps between marks, and a timeline small enough for a line of text. Light: it needs no matplotlib."""
+"""Find gaps between marks, and draw a timeline small enough for a line of text. This module doesn't need matplotlib."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -9,17 +9,17 @@ from workbook.pictures.palette import BLUE, GREY, RED, rgba
 from workbook.pictures.png import encode
 
 TINY_WIDTH, TINY_HEIGHT = 240, 18
-"""Pixels: beside a line of text, and as high."""
+"""In pixels: as high as a line of text."""
 TINY_SCALE = 2
-"""Dots per pixel, for fine screens."""
+"""Dots per pixel, for high-resolution screens."""
 GAP = 1.5
-"""Two messages further apart than this many periods have a gap between them."""
+"""There is a gap between two messages that are more than this many periods apart."""
 
 
 def gaps(
     times: Sequence[float], period: float, start: float | None = None, end: float | None = None
 ) -> list[tuple[float, float]]:
-    """Stretches (s) longer than 1.5 periods without a mark, those at either bound included."""
+    """Return the spans (s) longer than 1.5 periods without a mark, including those at either bound."""
     edges = [*([] if start is None else [start]), *sorted(times), *([] if end is None else [end])]
     return [(a, b) for a, b in pairwise(edges) if b - a > GAP * period + 1e-9]
 
@@ -31,7 +31,10 @@ def tiny(
     start: float = 0.0,
     period: float | None = None,
 ) -> bytes:
-    """A timeline as high as a line of text, for a card: blue marks, red where marks were missing, as PNG bytes."""
+    """Draw a timeline as high as a line of text, for a card, and return PNG bytes.
+
+    Its marks are blue, and gaps are red.
+    """
     pixels = np.zeros((TINY_HEIGHT * TINY_SCALE, TINY_WIDTH * TINY_SCALE, 4), np.uint8)
     height, width = pixels.shape[:2]
     span = end - start if end > start else 1.0

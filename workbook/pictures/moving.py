@@ -1,4 +1,4 @@
-"""Recordings played back as pictures that move without a running program: marks on lines, and robots."""
+"""Play back recordings as moving figures, without a running program: marks on lines, and robots."""
 
 import io
 import math
@@ -17,18 +17,18 @@ from workbook.pictures.stills import Still
 from workbook.pictures.timeline import Row, draw
 
 PER_SECOND = 8.0
-"""Pictures a second of real time."""
+"""Frames per second of real time."""
 STEPS = 12
-"""Poses of one wave of the hand: a robot takes the next one at each of its beats."""
+"""Poses in one wave of the hand. A robot moves to the next one at each of its beats."""
 _SCALE = 0.66
 _PIXELS = round(humanoid.WIDTH * _SCALE)
 
 
 @dataclass(frozen=True)
 class Robot:
-    """A robot in a film: its name, when its heart beat (s), and what to write under it once it stands still.
+    """A robot in a film: its name, its heartbeats (s), and the text below it while it stands still.
 
-    `period`: seconds from beat to beat, as planned. It stands still when it is late by one more period.
+    `period`: the planned time (s) between beats. A robot whose beat is late by another period stands still.
     """
 
     name: str
@@ -40,7 +40,7 @@ class Robot:
 def played_back(
     rows: Sequence[Row], description: str, *, end: float, pace: float = 1.0, title: str = ""
 ) -> Still:
-    """Rows of a timeline, drawn as time goes by from 0 s to `end` (s). `pace`: seconds of them in one second."""
+    """Draw a timeline's rows as time passes from 0 s to `end` (s). `pace`: recorded seconds per second of film."""
     frames = []
     counted = [row if row.note is not None else replace(row, note="") for row in rows]
     for now in moments(end, pace):
@@ -50,7 +50,7 @@ def played_back(
 
 
 def robots(those: Sequence[Robot], description: str, *, end: float, pace: float = 1.0) -> Still:
-    """Robots side by side. Each moves a little at each beat of its heart, and stands still where none comes."""
+    """Draw robots next to each other. Each moves a little at each of its heartbeats, and stands still without one."""
     poses: dict[tuple[int, bool], Image.Image] = {}
     frames = []
     for now in moments(end, pace):
@@ -72,13 +72,13 @@ def robots(those: Sequence[Robot], description: str, *, end: float, pace: float 
 
 
 def moments(end: float, pace: float) -> list[float]:
-    """The moments (s) of a film, from 0 to `end`."""
+    """Return the moments (s) of a film, from 0 to `end`."""
     count = max(2, round(end / pace * PER_SECOND))
     return [end * place / (count - 1) for place in range(count)]
 
 
 def is_late(robot: Robot, now: float) -> bool:
-    """Whether a beat is missing at this moment."""
+    """Return whether a beat is overdue at this moment."""
     count = bisect_right(robot.beats, now)
     last = robot.beats[count - 1] if count else 0.0
     return now - last > 2 * robot.period
@@ -116,5 +116,5 @@ def _last(those: Sequence[Robot]) -> float:
 
 
 def by_name(beats: Mapping[str, Sequence[float]], period: float, trouble: str = "blocked") -> list[Robot]:
-    """Robots from the beats (s) of each, by name."""
+    """Return a robot for each name, from a mapping of names to beats (s)."""
     return [Robot(name, times, period, trouble) for name, times in beats.items()]

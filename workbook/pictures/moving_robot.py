@@ -1,4 +1,4 @@
-"""The robot as the last messages pose it: glides to each new pose, sleeps until the first one."""
+"""Pose the robot by its latest messages. It glides to each new pose, and sleeps until the first one."""
 
 import time
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ from workbook.pictures.joints import Follower
 class MovingRobot:
     """Poses the figure by joint angles (rad); its lamp follows the status.
 
-    `ease`: seconds from one pose to the next. `captions`: what is wrong stands in the picture, not only in `words`.
+    `ease`: seconds from one pose to the next. `captions`: show problems in the figure, and not only in `words`.
     """
 
     def __init__(self, ease: float, *, captions: bool = True) -> None:
@@ -22,7 +22,7 @@ class MovingRobot:
         self._shown: object = None
 
     def pose(self, angles: Iterable[float]) -> None:
-        """Take over the angles of a message; one that poses no robot is told of in the picture."""
+        """Use a message's angles. If they aren't a valid pose, the figure shows the problem."""
         self.received += 1
         try:
             self._follower.aim(angles, time.monotonic())
@@ -31,16 +31,28 @@ class MovingRobot:
             self.complaint = str(error)
 
     def status(self, word: str) -> None:
-        """Light the lamp for a status that the robot knows; any other puts it out."""
+        """Light the lamp for a known status; any other status turns it off."""
         self.lamp = word if word in ("operational", "error") else None  # type: ignore[assignment]
 
     @property
     def words(self) -> str:
-        """Why the robot sleeps; empty when it is awake."""
+        """Why the robot is asleep; empty if it's awake."""
         return self.complaint or ("" if self.received else "waiting for /robot/joint_positions")
 
+    def news(self) -> dict[str, object]:
+        """Return the robot's latest state, in the format that rig.js expects."""
+        return {
+            "awake": not self.words,
+            "face": self.lamp,
+            "pose": None if self.words else list(self._follower.aimed),
+            "words": self.words,
+        }
+
     def frame(self) -> bytes | None:
-        """The picture as it is now; None while it is the one before. A robot that stands still costs nothing."""
+        """Return the current frame; None if it's the same as the previous one.
+
+        A robot that stands still costs nothing.
+        """
         words = self.words
         angles = () if words else tuple(self._follower.angles(time.monotonic()))
         frame = (words, angles, self.lamp)

@@ -1,4 +1,4 @@
-"""The way of a robot on the floor that obeys commands of speed and turning, and a drawing of it."""
+"""Compute and draw the path of a robot on the floor that follows velocity commands."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -12,9 +12,9 @@ Points = tuple[list[float], list[float]]
 
 
 def path_of(twists: Iterable[Mapping[str, Any]], period_s: float = 0.1) -> Points:
-    """Where the robot gets if it obeys each command for `period_s` s. At the start it looks along x.
+    """Return the robot's path if it follows each command for `period_s` seconds. It starts facing along x.
 
-    `twists`: messages of type Twist as mappings, with linear x in m/s and angular z in rad/s.
+    `twists`: Twist messages as mappings, with linear x in m/s and angular z in rad/s.
     """
     x, y, heading = 0.0, 0.0, 0.0
     xs, ys = [x], [y]
@@ -28,7 +28,7 @@ def path_of(twists: Iterable[Mapping[str, Any]], period_s: float = 0.1) -> Point
 
 
 def show_path(points: Points, description: str, title: str = "") -> None:
-    """Draw the way of the robot in the cell, with its start and its end: x points up the page, and y to the left."""
+    """Draw the robot's path in the cell, with its start and end: x points up the page, and y to the left."""
     xs, ys = points
     fig, axes = figure(5.2, 2.8)
     axes.plot(ys, xs, color=BLUE)

@@ -1,4 +1,4 @@
-"""PNG bytes: from pixels, their size, and how they go into a page."""
+"""Encode pixels as PNG bytes, read their size, and embed them in a page."""
 
 import base64
 import io
@@ -13,22 +13,22 @@ from workbook.templating import render
 Pixels = npt.NDArray[np.uint8]
 
 UNSEEN = 24
-"""Steps of 255 by which a channel of a pixel may change, at an edge, without anybody seeing it."""
+"""By how much (of 255) a pixel's channel may change at an edge without a visible difference."""
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def encode(pixels: Pixels, *, dots_per_pixel: float = 1.0) -> bytes:
-    """RGBA pixels, shape (height, width, 4), as PNG bytes: the same bytes for the same pixels.
+    """Return RGBA pixels, shape (height, width, 4), as PNG bytes. Equal pixels yield equal bytes.
 
-    The colors are brought down to 256, which for drawings nobody sees and which makes the file four times smaller.
-    `dots_per_pixel` is written into the file as its resolution: 2 for a picture drawn at twice its size on screen.
+    The colors are reduced to 256, which is invisible in drawings and makes the file four times smaller.
+    `dots_per_pixel` is stored in the file as its resolution: 2 for an image drawn at twice its size on screen.
     """
     return _bytes(_in_few_colors(pixels), dots_per_pixel, compress_level=4)
 
 
 def encode_faithfully(pixels: Pixels, *, dots_per_pixel: float = 1.0) -> bytes:
-    """As `encode`, but with all its colors if somebody would see the difference (a photo, a color map)."""
+    """Encode like `encode`, but keep all colors if the difference would be visible (a photo, a color map)."""
     drawn = _in_few_colors(pixels)
     shown = np.asarray(drawn.convert("RGBA"))
     changed = (shown != pixels).any(axis=2)
@@ -60,15 +60,15 @@ def _over_grey(pixels: Pixels) -> npt.NDArray[np.int16]:
 
 
 def size(png: bytes) -> tuple[int, int]:
-    """Width and height of a PNG in its own dots. Raises ValueError for anything else."""
+    """Return the width and height of a PNG in its own dots. Raises ValueError for anything else."""
     if png[:8] != SIGNATURE or png[12:16] != b"IHDR":
-        raise ValueError("these bytes are not a PNG picture")
+        raise ValueError("these bytes are not a PNG image")
     width, height = struct.unpack(">II", png[16:24])
     return int(width), int(height)
 
 
 def size_on_screen(png: bytes) -> tuple[int, int]:
-    """Width and height in pixels of a page: the size in dots divided by the resolution the file names."""
+    """Return the width and height in page pixels: the size in dots divided by the resolution stored in the file."""
     width, height = size(png)
     at = png.find(b"pHYs", 8, 2048)
     if at < 0:
@@ -79,11 +79,11 @@ def size_on_screen(png: bytes) -> tuple[int, int]:
 
 
 def data_uri(png: bytes) -> str:
-    """The picture as text for `src="…"`. JupyterLab shows it in untrusted notebooks too."""
+    """Return the image as text for `src="…"`. JupyterLab shows it even in untrusted notebooks."""
     return "data:image/png;base64," + base64.b64encode(png).decode("ascii")
 
 
 def img_tag(png: bytes, alt: str) -> str:
-    """An `<img>` that carries the picture and its alternative text, at the size it was drawn for."""
+    """Return an `<img>` with the image and its alternative text, at the size for which it was drawn."""
     width, height = size_on_screen(png)
     return render("pictures/img", alt=alt, width=width, height=height, src=data_uri(png))

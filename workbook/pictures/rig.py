@@ -1,4 +1,4 @@
-"""The figure as data for a page that moves it by itself: shapes, the joints that turn them, and poses.
+"""Describe the figure as data for a page that animates it: shapes, the joints that turn them, and poses.
 
 The shapes are recorded while `humanoid` draws the robot with all joints at zero, so the stills and the moving figure
 can't differ. `front_end/panel/rig.js` turns the parts. `python -m workbook.authoring build` writes the file.
@@ -29,7 +29,7 @@ from workbook.pictures.joints import (
     touching,
     walking,
 )
-from workbook.pictures.palette import AMBER, BLUE, GREEN, RED
+from workbook.pictures.palette import AMBER, BLUE, GREEN, GREY, RED
 
 Shape = dict[str, Any]
 FACES: dict[str, tuple[humanoid.Lamp | None, bool]] = {
@@ -38,22 +38,22 @@ FACES: dict[str, tuple[humanoid.Lamp | None, bool]] = {
     "error": ("error", False),
     "asleep": (None, True),
 }
-"""The faces of the robot: its lamp, and whether it sleeps."""
+"""The robot's faces, each with its lamp and whether the robot is asleep."""
 WALK_POSES, WALK_S = 16, 2.0
-"""Poses of two steps, and how long (s) these take."""
+"""The number of poses in two steps, and how long (s) the two steps take."""
 GAUGE = (46.0, 12.0)
-"""Width and height of the battery on the chest."""
+"""The width and height of the battery on the chest."""
 _DIGITS = 2
 
 
 class ShapeRecorder(Canvas):
-    """A canvas that keeps its shapes as SVG elements."""
+    """A canvas that records its shapes as SVG elements."""
 
     def __init__(self) -> None:
         self.shapes: list[Shape] = []
 
     def path(self, path: Path, paint: Paint, *, at: Affine2D | None = None) -> None:
-        """Any path of straight lines and curves."""
+        """Draw any path of straight lines and curves."""
         placed = path if at is None else at.transform_path(path)
         words = []
         for points, code in placed.iter_segments(simplify=False, curves=True):
@@ -62,24 +62,24 @@ class ShapeRecorder(Canvas):
         self._keep("path", paint, d="".join(words))
 
     def line(self, points: Iterable[Point], paint: Paint = GREY_LINE) -> None:
-        """An open line."""
+        """Draw an open line."""
         self._keep("polyline", paint, points=_numbers(np.ravel(list(points))))
 
     def disc(self, center: Point, radius: float, paint: Paint, *, flat: float = 1.0) -> None:
-        """A disc, or an ellipse."""
+        """Draw a disc, or an ellipse."""
         self._keep("ellipse", paint, cx=center[0], cy=center[1], rx=radius, ry=radius * flat)
 
     def box(
         self, corner: Point, size: Point, paint: Paint, *, radius: float = 0.0, at: Affine2D | None = None
     ) -> None:
-        """A box that isn't turned."""
+        """Draw a box that isn't rotated."""
         x, y = corner if at is None else at.transform(corner)
         self._keep(
             "rect", paint, x=x, y=y, width=size[0], height=size[1], rx=min(radius, *np.divide(size, 2))
         )
 
     def capsule(self, start: Point, end: Point, start_radius: float, end_radius: float, paint: Paint) -> None:
-        """Two round ends and the straight sides between them."""
+        """Draw two round ends and the straight sides between them."""
         along = math.atan2(end[1] - start[1], end[0] - start[0])
         lean = math.acos((start_radius - end_radius) / math.dist(start, end))
 
@@ -97,7 +97,7 @@ class ShapeRecorder(Canvas):
         self._keep("path", paint, d="".join(words))
 
     def text(self, at: Point, words: str, font: Font = PLAIN_TEXT, *, align: Align = "left") -> None:
-        """One line of text."""
+        """Draw one line of text."""
         anchor = {"left": "start", "center": "middle", "right": "end"}[align]
         weight = "bold" if font.bold else "normal"
         self.shapes.append(
@@ -130,8 +130,7 @@ def _recorded(draw: Callable[[Canvas], None]) -> list[Shape]:
 
 
 def _turns(figure: Skeleton) -> dict[str, list[float]]:
-    """What each joint does to the parts beyond it: number in a message, how far it turns them for 1 rad, and around
-    what point."""
+    """Return how each joint turns the parts beyond it: index in a message, angle for 1 rad, and center."""
     points: dict[str, tuple[str, float, Point]] = {
         "neck": ("neck", 1.0, figure.neck),
         "waist": ("waist", 1.0, figure.waist),
@@ -142,7 +141,7 @@ def _turns(figure: Skeleton) -> dict[str, list[float]]:
         *((leg, ("hip", "knee", "ankle")) for leg in figure.legs),
     ):
         for name, point in zip(names, (limb.root, limb.bend, limb.end), strict=True):
-            # Outward is to either side, and a knee turns the other way.
+            # Outward is a different direction on each side, and a knee turns the other way.
             sign = limb.side if name == "knee" else -limb.side
             points[f"{limb.word}_{name}"] = (f"{limb.word}_{name}", sign, point)
     return {
@@ -153,13 +152,13 @@ def _turns(figure: Skeleton) -> dict[str, list[float]]:
 
 
 def _neck_share(figure: Skeleton) -> float:
-    """The part of the head's angle by which the neck turns around its lower end."""
+    """Return the share of the head's angle by which the neck turns around its lower end."""
     upper = humanoid.STEM_TO
     return upper / (upper + math.dist(figure.neck, figure.on_torso(0.0, humanoid.STEM_FROM)))
 
 
 def _parts(figure: Skeleton) -> list[dict[str, Any]]:
-    """The parts in drawing order. One that isn't drawn with every face has the names of its faces."""
+    """Return the parts in drawing order. A part that isn't drawn with every face lists its faces."""
     by_face = {
         face: list(humanoid.parts(figure, lamp, asleep=asleep)) for face, (lamp, asleep) in FACES.items()
     }
@@ -177,11 +176,12 @@ def _parts(figure: Skeleton) -> list[dict[str, Any]]:
         if same[0].name == "lamp":
             found += _signs_on_the_chest(figure)
     snores = {"joints": (), "faces": ["asleep"], "shapes": _recorded(humanoid.snores)}
-    return [*found, snores, {"joints": (), "sign": "alarm", "shapes": _recorded(_alarm)}]
+    signs = ({"joints": (), "sign": sign, "shapes": _recorded(draw)} for sign, draw in _SIGNS.items())
+    return [*found, snores, *signs]
 
 
 def _signs_on_the_chest(figure: Skeleton) -> list[dict[str, Any]]:
-    """What only messages bring to light: the ring of the heart, and the battery with its level."""
+    """Return the signs that only messages show: the ring for the heart, and the battery with its level."""
     wide, high = GAUGE
     x, y = humanoid.on_picture(figure.on_torso(-wide / 2, 38))
 
@@ -208,8 +208,20 @@ def _alarm(canvas: Canvas) -> None:
         canvas.disc((x, 60), 3, Paint(fill="#ffffff"))
 
 
+def _thought(canvas: Canvas) -> None:
+    cloud = Paint(fill="#eef2f7", stroke=GREY, width=2.5)
+    for center, radius in (((292, 92), 5), ((308, 74), 8)):
+        canvas.disc(center, radius, cloud)
+    canvas.disc((352, 46), 42, cloud, flat=0.62)
+    for x in (334, 352, 370):
+        canvas.disc((x, 46), 4.5, Paint(fill=BLUE))
+
+
+_SIGNS: dict[str, Callable[[Canvas], None]] = {"alarm": _alarm, "thought": _thought}
+
+
 def description() -> str:
-    """The figure as JSON. A matrix of a part is the product of its joints' turns, from the body outward."""
+    """Return the figure as JSON. A part's matrix is the product of its joints' turns, from the body outward."""
     figure = skeleton(pose())
     steps = [walking(WALK_S * step / WALK_POSES) for step in range(WALK_POSES)]
     whole = {

@@ -1,4 +1,4 @@
-"""A picture that says in words what it shows."""
+"""Show an image along with its description in words."""
 
 import base64
 from dataclasses import dataclass
@@ -12,25 +12,25 @@ MimeBundle = tuple[dict[str, str], dict[str, Any]]
 
 @dataclass(frozen=True)
 class Still:
-    """A PNG picture with its description, shown by JupyterLab when it is the last value of a cell.
+    """A PNG image with its description. JupyterLab shows it if it's the last value of a cell.
 
-    The description is the alternative text. Keep measured numbers out of it: checks of a notebook compare it.
+    The description is the alternative text. Keep measured numbers out of it, because notebook checks compare it.
     """
 
     png: bytes
     description: str
 
     def __post_init__(self) -> None:
-        size_on_screen(self.png)  # says at once when these bytes are no picture
+        size_on_screen(self.png)  # fails right away if these bytes aren't a PNG image
         if not self.description.strip():
-            raise ValueError("a picture needs a description: those who cannot see it get this text instead")
+            raise ValueError("a figure needs a description: those who cannot see it get this text instead")
 
     def __repr__(self) -> str:
         return f"Picture: {self.description}"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> MimeBundle:
-        # JupyterLab drops the alternative text of image/png, so it gets the picture as an <img> as well;
-        # image/png is for exports and for readers that show no HTML.
+        # JupyterLab drops the alternative text of image/png, so it gets the image as an <img> as well. Exports, and
+        # readers that show no HTML, use image/png.
         width, height = size_on_screen(self.png)
         bundle = {
             "text/plain": repr(self),
@@ -40,11 +40,11 @@ class Still:
         return bundle, {"image/png": {"alt": self.description, "width": width, "height": height}}
 
     def data_uri(self) -> str:
-        """The picture as text for `src="…"`."""
+        """Return the image as text for `src="…"`."""
         return data_uri(self.png)
 
     def save(self, path: str | Path) -> Path:
-        """Write the picture to a file, and return its path."""
+        """Write the image to a file, and return its path."""
         target = Path(path)
         target.write_bytes(self.png)
         return target

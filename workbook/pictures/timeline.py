@@ -1,4 +1,4 @@
-"""Pictures of time: when messages arrived, when they should have, and where they were missing."""
+"""Draw timelines: when messages arrived, when they should have, and where they were missing."""
 
 import math
 from bisect import bisect_right
@@ -17,7 +17,7 @@ from workbook.recording.recording import Recording
 
 WIDTH = 680
 AS_DUE = 0.1
-"""A rate that is off by no more than this share is told as the rate that is due."""
+"""A rate that is off by at most this share is reported as the required rate."""
 
 _ROW, _TOP, _LEFT, _RIGHT = 40.0, 12.0, 16.0, 16.0
 _TITLE = 20.0
@@ -27,9 +27,9 @@ _TITLE = 20.0
 class Row:
     """One line of a timeline: a label and the times (s) of its marks.
 
-    `period` (s) is what was asked for: it gives the expected ticks and decides what a gap is. `start` and `end` bound
-    the time in which marks could be seen; outside them nothing is missing. `note` stands at the right of the line.
-    `color` is one of the palette. Most marks are data, so it is blue where nothing else is said.
+    `period` (s) is the required one: it determines the expected ticks and which gaps count. `start` and `end` bound the
+    time in which marks could be seen; outside it, nothing counts as missing. `note` is shown at the right of the line.
+    `color` is from the palette. The default is blue, because most marks are data.
     """
 
     label: str
@@ -48,21 +48,21 @@ def timeline(
     topics: Sequence[str] | None = None,
     width: float = WIDTH,
 ) -> bytes:
-    """A recording as PNG bytes: a row per topic, a mark per arrival, over simulated time in s.
+    """Draw a recording, and return PNG bytes: a row per topic, and a mark per arrival, over simulated time (s).
 
-    `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` picks and orders the rows; without
-    it, all topics that had a publisher or are in `periods`. Where the program ended by itself is marked.
+    `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` selects and orders the rows; by
+    default, these are all topics in `periods` or with a publisher. If the program ended by itself, its end is marked.
     """
     asked = dict(periods or {})
     names = list(topics) if topics is not None else _topics(recording, asked)
     rows = []
     for name in names:
         topic = recording.topic(name)
-        window = topic.window or (0.0, recording.simulated_s)
+        window = topic.window or (0.0, recording.watched_s)
         times = [arrival.t for arrival in topic.arrivals]
         note = _rate_words(times, step_s=recording.step_s)
         rows.append(Row(name, times, asked.get(name), window[0], window[1], note))
-    return draw(rows, end=recording.simulated_s, program_end=process_end(recording), width=width)
+    return draw(rows, end=recording.watched_s, program_end=process_end(recording), width=width)
 
 
 def strip(
@@ -75,10 +75,10 @@ def strip(
     title: str = "",
     width: float = WIDTH,
 ) -> bytes:
-    """Marks on lines, as PNG bytes: times (s) by label, such as what two timers did.
+    """Draw marks on lines, and return PNG bytes: times (s) by label, such as the ticks of two timers.
 
-    `periods` (s, by label) adds the expected ticks, counted from the first mark, and shades gaps between marks.
-    `noun` says what the marks are, in the plural: they are counted at the right. `title` stands above.
+    `periods` (s, by label) adds the expected ticks, counted from the first mark, and shades gaps between marks. `noun`
+    names the marks in the plural, for the counts at the right. `title` is shown above.
     """
     asked = dict(periods or {})
     rows = [
@@ -98,9 +98,10 @@ def draw(
     title: str = "",
     width: float = WIDTH,
 ) -> bytes:
-    """Rows over one time axis from `start` to `end` (s), as PNG bytes. Without `end`, up to the last mark.
+    """Draw rows over one time axis from `start` to `end` (s), and return PNG bytes.
 
-    `now` (s) draws an upright line there: a picture of a film. `title` stands above, and states the finding.
+    Without `end`, the axis ends at the last mark. `now` (s) draws a vertical line there, for a film's frame. `title` is
+    shown above, and states the finding.
     """
     last = max((t for row in rows for t in row.times), default=start)
     stop = end if end is not None else last
@@ -153,9 +154,9 @@ def histogram(
     bins: int = 24,
     width: float = 520,
 ) -> bytes:
-    """How often each value occurs, as PNG bytes; `target` is marked. Mean, spread, and `title` stand above.
+    """Draw how often each value occurs, and return PNG bytes. `target` is marked.
 
-    Values that are not finite are left out. Raises ValueError when none is left.
+    Mean, spread, and `title` are shown above. Values that aren't finite are ignored. Raises ValueError if none is left.
     """
     kept = [value for value in values if math.isfinite(value)]
     if not kept:
@@ -184,9 +185,12 @@ def histogram(
 
 
 def describe(recording: Recording, periods: Mapping[str, float] | None = None) -> str:
-    """The timeline in words, as its alternative text: topics, the rate seen and the rate due, and their gaps.
+    """Describe the timeline in words, as its alternative text.
 
-    A rate that is as due is told as that, so that the text is the same in every run of a program that keeps its rates.
+    It names the topics, the measured and required rates, and whether there are gaps.
+
+    If a rate is close to the required one, the text states the required rate. So the text is the same in every run of a
+    program that keeps its rates.
     """
     asked = dict(periods or {})
     parts = []
@@ -196,7 +200,7 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
         if not times:
             parts.append(f"{name} silent")
         elif name in asked:
-            window = topic.window or (0.0, recording.simulated_s)
+            window = topic.window or (0.0, recording.watched_s)
             found = gaps(times, asked[name], *window)
             pace = _pace_words(times, asked[name], recording.step_s)
             parts.append(f"{name} {pace}, {'with gaps' if found else 'without a gap'}")
@@ -207,7 +211,10 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
 
 
 def _at_least(hz: float, step_s: float | None) -> str:
-    """A mark for a rate so near to that of the steps of simulated time (s) that the true one may be higher."""
+    """Return "≥ " for a rate close to the rate of simulated time's steps (s), otherwise "".
+
+    In that case, the true rate may be higher.
+    """
     return "≥ " if step_s is not None and hz * step_s > 0.5 + 1e-6 else ""
 
 
@@ -215,7 +222,7 @@ def _pace_words(times: Sequence[float], period: float, step_s: float | None) -> 
     due = f"{1 / period:.3g} Hz"
     span = max(times) - min(times)
     if span <= 0:
-        return f"{'once' if len(times) == 1 else f'{len(times)} times at once'} ({due} due)"
+        return f"{'once' if len(times) == 1 else f'{len(times)} times at the same moment'} ({due} due)"
     seen = (len(times) - 1) / span
     if abs(seen * period - 1) <= AS_DUE:
         return f"at {due} as due"
@@ -223,14 +230,14 @@ def _pace_words(times: Sequence[float], period: float, step_s: float | None) -> 
 
 
 def process_end(recording: Recording) -> float | None:
-    """When the program ended by itself, in simulated time (s); None if it was alive to the end of the watch."""
+    """Return when the program ended by itself, in simulated time (s); None if it outlived the watch."""
     process = recording.process
     if process.ended_by != "itself" or process.ended_at is None:
         return None
     pairs: list[tuple[float, float]] = sorted(
         (arrival.wall, arrival.t) for topic in recording.topics.values() for arrival in topic.arrivals
     )
-    speed_at = {phase.start: phase.speed for phase in recording.phases}
+    speed_at = {phase.start: phase.speed for phase in recording.stretches}
     at = bisect_right([wall for wall, _ in pairs], process.ended_at) - 1
     if at >= 0:
         wall, t = pairs[at]
@@ -239,7 +246,7 @@ def process_end(recording: Recording) -> float | None:
         t += (process.ended_at - wall) * speed
     else:
         t = process.ended_at
-    return max(0.0, min(t, recording.simulated_s))
+    return max(0.0, min(t, recording.watched_s))
 
 
 @dataclass(frozen=True)
@@ -256,7 +263,7 @@ class _Axis:
         return self.x(min(max(t, self.start), self.end))
 
     def bounds(self, row: Row) -> tuple[float, float]:
-        """The time (s) in which marks of a row could be seen."""
+        """Return the time span (s) in which a row's marks could be seen."""
         return (
             self.start if row.start is None else row.start,
             self.end if row.end is None else row.end,
@@ -285,7 +292,7 @@ def _target(canvas: Canvas, axis: _Axis, base: float, target: float, unit: str) 
 
 def _row(canvas: Canvas, axis: _Axis, row: Row, y: float) -> None:
     begin, finish = axis.bounds(row)
-    drawn = axis.clip(begin)  # up to here, the line is drawn
+    drawn = axis.clip(begin)  # the position up to which the line has been drawn
     if row.period:
         _expected(canvas, axis, row, y)
         for a, b in gaps(row.times, row.period, row.start, row.end):
@@ -294,11 +301,11 @@ def _row(canvas: Canvas, axis: _Axis, row: Row, y: float) -> None:
             words, middle = f"✗ {b - a:.3g} s", (x0 + x1) / 2
             wide = text_width(words, 11, bold=True)
             told = wide < x1 - x0 - 10
-            # No text has enough contrast to a tinted ground in both themes.
+            # No text color has enough contrast on a tinted background in both themes.
             canvas.box(
                 place, size, Paint(stroke=RED, width=1.8) if told else Paint(fill=RED, alpha=0.24), radius=4
             )
-            if told:  # the line stops at the words, so that it does not strike them out
+            if told:  # the line stops at the words, so that it doesn't cross them out
                 canvas.text((middle, y + 4), words, Font(size=11, bold=True), align="center")
                 _base_line(canvas, drawn, max(drawn, middle - wide / 2 - 5), y)
                 drawn = middle + wide / 2 + 5
@@ -323,7 +330,7 @@ def _expected(canvas: Canvas, axis: _Axis, row: Row, y: float) -> None:
     anchor = min(row.times, default=begin + period)
     count = (finish - begin) / period
     if axis.x(axis.start + period) - axis.left < 4 or count > 2000:
-        return  # closer than one can see
+        return  # too close together to see
     first = math.ceil((max(begin, axis.start) - anchor) / period - 1e-9)
     last = math.floor((min(finish, axis.end) - anchor) / period + 1e-9)
     for index in range(first, last + 1):

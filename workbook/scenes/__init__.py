@@ -1,4 +1,4 @@
-"""What sensors of the robot would measure, computed: NumPy only, and the same for the same seed.
+"""Simulate the robot's sensors with NumPy only. The same seed gives the same values.
 
-Lesson nodes, scripts of the judge and criteria use it; it knows nothing of ROS.
+Lesson nodes, the judge's scripts, and criteria use this package, which doesn't depend on ROS.
 """

@@ -1,4 +1,4 @@
-"""What a camera in the robot's head sees of a desk: its own hands, balls and bricks, in light that changes."""
+"""Render the head camera's images of a desk with toys and the robot's own arms, in changing light."""
 
 import math
 from collections.abc import Sequence
@@ -19,9 +19,9 @@ DESK: Color = (146.0, 138.0, 126.0)
 ARM: Color = (205.0, 208.0, 212.0)
 HAND: Color = (90.0, 94.0, 100.0)
 SHOULDER_M, UPPER_ARM_M, FOREARM_M, FINGER_M = (0.0, 0.2, -0.3), 0.3, 0.26, 0.07
-INWARD = 0.3  # rad; how far the arms are turned in
+INWARD = 0.3  # rad; how far the arms are turned inward
 LEFT_SHOULDER, LEFT_ELBOW, RIGHT_SHOULDER, RIGHT_ELBOW = 2, 3, 4, 5
-"""Where these angles are among the twelve of `/robot/joint_positions`."""
+"""The indices of these angles among the twelve of `/robot/joint_positions`."""
 Corner = tuple[int, int, int]
 FACES: tuple[tuple[tuple[Corner, ...], float], ...] = (
     (((1, -1, -1), (1, 1, -1), (1, 1, 1), (1, -1, 1)), 0.8),
@@ -30,16 +30,16 @@ FACES: tuple[tuple[tuple[Corner, ...], float], ...] = (
     (((-1, -1, -1), (1, -1, -1), (1, -1, 1), (-1, -1, 1)), 0.65),
     (((-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)), 1.0),
 )
-"""The faces of a brick that can be seen from above: their corners, each -1 or 1 along its three edges; how bright."""
+"""The faces of a brick that can be seen from above: their corners (-1 or 1 along each axis) and brightness."""
 NEAREST_M = 0.1
-"""What is nearer in front of the camera is not painted."""
+"""Surfaces nearer to the camera than this aren't painted."""
 RIM_CORNERS = 24
 NOISE_SPARE = 65_536
-"""The noise of a picture begins at one of so many places in a table: two pictures hardly ever get the same."""
+"""An image's noise begins at one of this many places in a table, so two images hardly ever have equal noise."""
 
 
 class DeskCamera:
-    """Takes pictures of scenes: RGB, uint8, shape (height, width, 3). The same seed and number give the same bytes.
+    """Renders images of scenes: RGB, uint8, shape (height, width, 3). The same seed and number give the same bytes.
 
     `noise` is the standard deviation of each pixel's noise, in steps of 255.
     """
@@ -53,7 +53,7 @@ class DeskCamera:
         self._noise = np.rint(noise * table).astype(np.int16)
 
     def picture(self, scene: Scene, number: int) -> Picture:
-        """The picture of that number, of this scene."""
+        """Render the scene as an image. `number` selects the noise."""
         picture = self._empty.copy()
         for place in (scene.ball, scene.blue_ball):
             if place is not None:
@@ -73,7 +73,7 @@ class DeskCamera:
         return self._measured(picture, scene, number)
 
     def _measured(self, picture: Picture, scene: Scene, number: int) -> Picture:
-        """The picture in this light, with the noise of the sensor."""
+        """Apply the scene's light and the sensor's noise to an image."""
         gains = np.array([scene.warm, 1.0, 1.0 / scene.warm]) * scene.light
         steps = np.rint(np.arange(256)[:, np.newaxis] * gains).astype(np.int16)
         lit = np.empty(picture.shape, dtype=np.int16)
@@ -86,7 +86,7 @@ class DeskCamera:
 
 
 def _empty_desk(camera: Pinhole) -> Picture:
-    """Wall and desk. The desk is round, and the robot stands in its middle: it looks the same wherever one turns."""
+    """Paint wall and desk. The desk is round with the robot in its center, so it looks the same at every pan angle."""
     x = (np.arange(camera.width) - camera.center[0])[np.newaxis, :] / camera.focal
     y = (np.arange(camera.height) - camera.center[1])[:, np.newaxis] / camera.focal
     down = y * math.cos(camera.pitch) + math.sin(camera.pitch) + 0.0 * x
@@ -102,7 +102,7 @@ def _empty_desk(camera: Pinhole) -> Picture:
 
 
 def _paint_shadow(picture: Picture, camera: Pinhole, below: Vector) -> None:
-    """The shadow of a ball on the desk."""
+    """Paint a ball's shadow on the desk."""
     if below[2] <= NEAREST_M:
         return
     column, row = camera.pixel(below)
@@ -114,7 +114,7 @@ def _paint_shadow(picture: Picture, camera: Pinhole, below: Vector) -> None:
 
 
 def _paint_box(picture: Picture, camera: Pinhole, box: Box, pan: float) -> None:
-    """A brick: those of its faces that turn to the camera."""
+    """Paint the faces of a brick that are turned toward the camera."""
     length, width, height = box.size
     cos, sin = math.cos(box.turn), math.sin(box.turn)
     seen: dict[Corner, Vector] = {}
@@ -144,7 +144,10 @@ def _paint_face(picture: Picture, corners: list[tuple[float, float]], bright: fl
 def _rim(
     camera: Pinhole, at: tuple[float, float], height: float, radius: float, pan: float
 ) -> list[tuple[float, float]]:
-    """Pixels of a level circle `height` above the desk (m); none if a part of it is not in front of the camera."""
+    """Return the pixels of a level circle `height` above the desk (m).
+
+    The list is empty if a part of the circle isn't in front of the camera.
+    """
     around = [2 * math.pi * step / RIM_CORNERS for step in range(RIM_CORNERS)]
     seen = [
         camera.seen_from(
@@ -160,7 +163,7 @@ def _shaded(color: Color, bright: float) -> Color:
 
 
 def _paint_plate(picture: Picture, camera: Pinhole, plate: Plate, pan: float) -> None:
-    """A plate: a rim, and a bottom that is a little darker."""
+    """Paint a plate: a rim, and a slightly darker bottom."""
     for part, bright in ((1.0, 1.0), (0.7, 0.9)):
         corners = _rim(camera, plate.at, 0.0, part * plate.radius, pan)
         if corners:
@@ -168,7 +171,7 @@ def _paint_plate(picture: Picture, camera: Pinhole, plate: Plate, pan: float) ->
 
 
 def _paint_cup(picture: Picture, camera: Pinhole, cup: Cup, pan: float) -> None:
-    """A cup: its side, as the hull of its two rims, and its dark inside."""
+    """Paint a cup: its side, as the hull of its two rims, and its dark inside."""
     low, high = (_rim(camera, cup.at, height, cup.radius, pan) for height in (0.0, cup.height))
     if low and high:
         paint_polygon(picture, _hull([*low, *high]), _shaded(ORANGE, 0.8))
@@ -178,7 +181,7 @@ def _paint_cup(picture: Picture, camera: Pinhole, cup: Cup, pan: float) -> None:
 
 
 def _hull(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """The convex hull of some pixels, clockwise as one sees them."""
+    """Return the convex hull of some pixels, clockwise in the image."""
     ordered = sorted(points)
 
     def half(along: list[tuple[float, float]]) -> list[tuple[float, float]]:
@@ -196,7 +199,7 @@ def _hull(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: float) -> None:
-    """Both arms, from the angles of shoulders and elbows: 0 hangs down, above zero reaches forward."""
+    """Paint both arms at the angles of shoulders and elbows (rad): 0 hangs down, positive reaches forward."""
     for side, shoulder, elbow in (
         (1.0, joints[LEFT_SHOULDER], joints[LEFT_ELBOW]),
         (-1.0, joints[RIGHT_SHOULDER], joints[RIGHT_ELBOW]),
@@ -213,7 +216,10 @@ def paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: 
 
 
 def _reach(side: float, angle: float, spread: float = 0.0) -> Vector:
-    """Where a limb of the left (1) or right (-1) arm points that is lifted by `angle` (rad): length 1, robot's axes."""
+    """Return the direction of a limb of the left (1) or right (-1) arm, lifted by `angle` (rad).
+
+    The result is a unit vector in the robot's axes.
+    """
     inward = INWARD + spread
     return np.array(
         [math.sin(angle) * math.cos(inward), -side * math.sin(angle) * math.sin(inward), -math.cos(angle)]
@@ -228,7 +234,7 @@ def _paint_part(
     color: Color,
     pan: float,
 ) -> None:
-    """A limb between two places of the robot's axes (m), if it is in front of the camera."""
+    """Paint a limb between two places in the robot's axes (m), if both are in front of the camera."""
     near, far = (camera.seen_from((end[0], end[1], end[2]), pan) for end in ends)
     if min(near[2], far[2]) <= NEAREST_M:
         return

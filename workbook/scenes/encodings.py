@@ -1,4 +1,4 @@
-"""Pictures as the bytes of `sensor_msgs/Image`."""
+"""Encode images as the bytes of `sensor_msgs/Image`."""
 
 from collections.abc import Callable
 
@@ -8,13 +8,13 @@ import numpy.typing as npt
 from workbook.scenes.painting import Picture
 
 Rows = npt.NDArray[np.uint8]
-"""Shape (height, bytes of a row without its padding)."""
+"""An array of shape (height, bytes of a row without padding)."""
 
 
 def encoded(picture: Picture, encoding: str, padding: int = 0) -> tuple[bytes, int]:
-    """The bytes of `Image.data` and the length of a row (`step`), with `padding` unused bytes behind each row.
+    """Return the bytes of `Image.data` and a row's length (`step`), with `padding` unused bytes after each row.
 
-    Raises ValueError for an encoding that is not in `ENCODINGS`. Numbers of 16 bits are little-endian.
+    16-bit numbers are little-endian. Raise ValueError if the encoding isn't in `ENCODINGS`.
     """
     if encoding not in _ROWS:
         raise ValueError(f"one of {', '.join(ENCODINGS)}, not {encoding!r}")
@@ -39,7 +39,7 @@ def _in_bgr(picture: Picture) -> Rows:
 
 
 def _in_rgba(picture: Picture) -> Rows:
-    """Red, green, blue, and a byte that says that nothing shines through."""
+    """Encode red, green, blue, and an alpha byte that means opaque."""
     opaque: Rows = np.dstack([picture, np.full(picture.shape[:2], 255, np.uint8)])
     return opaque.reshape(picture.shape[0], -1)
 
@@ -53,7 +53,7 @@ def _in_16_bits(picture: Picture) -> Rows:
 
 
 def _in_yuv(picture: Picture) -> Rows:
-    """Brightness for each pixel, and for each pair of pixels one blue and one red difference: Y U Y V."""
+    """Encode each pixel's brightness, and one blue and one red difference for each pair of pixels: Y U Y V."""
     bright = _gray(picture)
     pairs = np.empty((*bright.shape, 2))
     pairs[..., 0] = bright
@@ -66,7 +66,7 @@ def _in_yuv(picture: Picture) -> Rows:
 _ROWS: dict[str, Callable[[Picture], Rows]] = {
     "rgb8": _in_rgb,
     "bgr8": _in_bgr,
-    "8UC3": _in_bgr,  # what OpenCV calls three bytes; it does not say which colors they are
+    "8UC3": _in_bgr,  # OpenCV's name for three bytes per pixel; it doesn't specify the colors
     "rgba8": _in_rgba,
     "mono8": _in_8_bits,
     "mono16": _in_16_bits,

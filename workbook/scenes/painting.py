@@ -1,4 +1,4 @@
-"""Paints shapes into a picture, with smooth edges: a pixel that a shape covers in part gets a part of its color."""
+"""Paint shapes into an image with smooth edges: a partly covered pixel gets a part of the shape's color."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 
 class Patch:
-    """The part of a picture where a shape can be: the columns and rows of its pixels, as arrays."""
+    """The part of an image where a shape can be: the columns and rows of its pixels, as arrays."""
 
     def __init__(self, picture: Picture, corners: Sequence[Point], margin: float = 2.0) -> None:
         columns, rows = zip(*corners, strict=True)
@@ -27,22 +27,22 @@ class Patch:
 
     @property
     def empty(self) -> bool:
-        """Whether the shape is outside the picture."""
+        """Whether the shape is outside the image."""
         return self._pixels.size == 0
 
     def blend(self, cover: Array, color: Array | Color) -> None:
-        """Lay a color over each pixel, as much of it as `cover` says (0 to 1)."""
+        """Blend a color into each pixel by `cover`, from 0 (none) to 1 (only the color)."""
         part = np.clip(cover, 0.0, 1.0)[..., np.newaxis]
         mixed = self._pixels * (1.0 - part) + np.asarray(color) * part
         self._pixels[...] = np.rint(np.clip(mixed, 0.0, 255.0))
 
     def darken(self, by: Array) -> None:
-        """Take light from each pixel, `by` from 0 to 1."""
+        """Darken each pixel `by` a share from 0 to 1."""
         self._pixels[...] = np.rint(self._pixels * (1.0 - by[..., np.newaxis]))
 
 
 def paint_sphere(picture: Picture, camera: Pinhole, center: Vector, radius: float, color: Color) -> None:
-    """A ball, as a pinhole camera sees it. `center` (m) in the axes of the camera; light comes from above."""
+    """Paint a ball as a pinhole camera sees it. `center` is in the camera's axes (m). Light comes from above."""
     if center[2] <= radius:
         return
     column, row = camera.pixel(center)
@@ -59,13 +59,16 @@ def paint_sphere(picture: Picture, camera: Pinhole, center: Vector, radius: floa
     beside = np.sqrt(np.maximum(center @ center - along * along, 0.0))  # m, from the ray to the center
     pixel_m = along / (camera.focal * length)
     hit = along - np.sqrt(np.maximum(radius * radius - beside * beside, 0.0))
-    up = (center[1] - y * hit / length) / radius  # of the surface: 1 at the top, -1 at the bottom
+    up = (center[1] - y * hit / length) / radius  # the surface's height: 1 at the top, -1 at the bottom
     bright = 0.72 + 0.28 * np.clip(up, -1.0, 1.0)
     patch.blend((radius - beside) / pixel_m + 0.5, bright[..., np.newaxis] * np.asarray(color))
 
 
 def paint_limb(picture: Picture, ends: tuple[Point, Point], radii: tuple[float, float], color: Color) -> None:
-    """A straight limb with round ends: from pixel to pixel, as thick (radii in pixels) as it is near."""
+    """Paint a straight limb with round ends, from pixel to pixel.
+
+    `radii`: the radius at each end, in pixels.
+    """
     (u, v), (u2, v2) = ends
     thick = max(radii)
     patch = Patch(
@@ -84,7 +87,7 @@ def paint_limb(picture: Picture, ends: tuple[Point, Point], radii: tuple[float, 
 
 
 def paint_polygon(picture: Picture, corners: Sequence[Point], color: Color) -> None:
-    """A convex face; its corners (pixels) in clockwise order as one sees them."""
+    """Paint a convex polygon. Its corners (pixels) are in clockwise order in the image."""
     patch = Patch(picture, corners)
     if patch.empty:
         return

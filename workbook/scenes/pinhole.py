@@ -1,4 +1,4 @@
-"""The pinhole model: where a point in front of a camera is seen, and where a pixel looks."""
+"""Implement the pinhole model: project points to pixels, and pixels to directions."""
 
 import math
 from dataclasses import dataclass
@@ -11,10 +11,11 @@ Vector = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Pinhole:
-    """A camera in the head. Pixel (0, 0) is the middle of the pixel at the upper left.
+    """A camera in the head. Pixel (0, 0) is the center of the upper left pixel.
 
-    Its own axes are those of ROS for cameras: x to the right, y down, z forward. The robot's are x forward, y to the
-    left, z up, and both begin in the camera. `focal`: the focal length in pixels. `pitch`: how far it looks down (rad).
+    The camera's axes follow the ROS convention for cameras: x to the right, y down, z forward. The robot's axes are x
+    forward, y to the left, z up. The camera is the origin of both. `focal`: the focal length in pixels. `pitch`: the
+    camera's downward angle (rad).
     """
 
     width: int = 640
@@ -24,11 +25,11 @@ class Pinhole:
 
     @property
     def center(self) -> tuple[float, float]:
-        """The pixel that looks straight ahead: column, row."""
+        """The column and row of the image center, which looks straight ahead."""
         return (self.width - 1) / 2, (self.height - 1) / 2
 
     def seen_from(self, point: tuple[float, float, float], pan: float = 0.0) -> Vector:
-        """A point of the robot's axes (m) in those of the camera; the head is turned to the left by `pan` (rad)."""
+        """Convert a point from the robot's axes (m) to the camera's. The head is turned to the left by `pan` (rad)."""
         x, y, z = point
         ahead = x * math.cos(pan) + y * math.sin(pan)
         left = y * math.cos(pan) - x * math.sin(pan)
@@ -36,14 +37,14 @@ class Pinhole:
         return np.array([-left, -z * level - ahead * down, ahead * level - z * down])
 
     def pixel(self, point: Vector) -> tuple[float, float]:
-        """Column and row where a point of the camera's axes is seen. Raises ValueError for one that is not in front."""
+        """Project a point in the camera's axes (m) to column and row. Raise ValueError if it isn't in front."""
         if not point[2] > 0.0:
-            raise ValueError(f"a camera sees what is in front of it (z > 0), not z = {point[2]}")
+            raise ValueError(f"a camera sees only points in front of it (z > 0), not z = {point[2]}")
         column, row = self.center
         return float(column + self.focal * point[0] / point[2]), float(row + self.focal * point[1] / point[2])
 
     def direction(self, column: float, row: float) -> Vector:
-        """Where a pixel looks: a vector of length 1 in the axes of the camera."""
+        """Return the direction of a pixel's ray as a unit vector in the camera's axes."""
         middle = self.center
         ray: Vector = np.array([(column - middle[0]) / self.focal, (row - middle[1]) / self.focal, 1.0])
         ray /= np.linalg.norm(ray)
@@ -52,9 +53,9 @@ class Pinhole:
     def on_level(
         self, column: float, row: float, height: float, pan: float = 0.0
     ) -> tuple[float, float] | None:
-        """Where the ray of a pixel meets a level plane: how far ahead and to the left (m, axes of the robot).
+        """Return the point where a pixel's ray meets a level plane: forward and left (m, robot's axes).
 
-        `height`: that of the plane, seen from the camera (m). None if the ray does not meet it.
+        `height`: the plane's height above the camera (m). The result is None if the ray doesn't meet the plane.
         """
         right, low, forward = self.direction(column, row)
         down, level = math.sin(self.pitch), math.cos(self.pitch)

@@ -1,4 +1,4 @@
-"""What there is to see, as plain data: standard library only."""
+"""Define a scene's objects as plain data, with the standard library only."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,13 +6,13 @@ from dataclasses import dataclass
 Place = tuple[float, float, float]
 
 DESK_M = -0.45
-"""How high the desk is, seen from the camera."""
+"""The desk's height relative to the camera."""
 BALL_RADIUS_M = 0.04
 
 
 @dataclass(frozen=True)
 class Box:
-    """A brick on the desk: the middle of its bottom (m, axes of the robot), its edges (m), turned by `turn` (rad)."""
+    """A brick on the desk: the center of its bottom (m, robot's axes), its edges (m), and its angle `turn` (rad)."""
 
     at: tuple[float, float]
     size: Place = (0.05, 0.14, 0.05)
@@ -21,7 +21,7 @@ class Box:
 
 @dataclass(frozen=True)
 class Cup:
-    """A cup on the desk: the middle of its bottom (m, axes of the robot), its radius and height (m)."""
+    """A cup on the desk: the center of its bottom (m, robot's axes), its radius, and its height (m)."""
 
     at: tuple[float, float]
     radius: float = 0.035
@@ -30,7 +30,7 @@ class Cup:
 
 @dataclass(frozen=True)
 class Plate:
-    """A flat round plate on the desk, as orange as the ball: its middle (m, axes of the robot), its radius (m)."""
+    """A flat round plate on the desk, as orange as the ball: its center (m, robot's axes) and its radius (m)."""
 
     at: tuple[float, float]
     radius: float = 0.065
@@ -38,10 +38,10 @@ class Plate:
 
 @dataclass(frozen=True)
 class Scene:
-    """What there is to see at one moment. Places in the robot's axes (m): x forward, y left, z up, from the camera.
+    """A scene at one moment. Positions are relative to the camera in the robot's axes (m): x forward, y left, z up.
 
-    `joints`: the twelve angles of `/robot/joint_positions` (rad); None: no arms. `pan`: how far the head is turned to
-    the left (rad). `light`: 1 is a bright day, 0.3 an evening. `warm`: above 1 reddish, below 1 bluish light.
+    `joints`: the twelve angles of `/robot/joint_positions` (rad); None: no arms. `pan`: the head's angle to the left
+    (rad). `light`: 1 is a bright day, 0.3 an evening. `warm`: the light is reddish above 1, and bluish below 1.
     """
 
     ball: Place | None = None
@@ -56,5 +56,5 @@ class Scene:
 
 
 def on_desk(forward: float, left: float) -> Place:
-    """The center of a ball that lies on the desk, `forward` and `left` of the camera (m)."""
+    """Return the center of a ball that lies on the desk, `forward` and to the `left` of the camera (m)."""
     return forward, left, DESK_M + BALL_RADIUS_M

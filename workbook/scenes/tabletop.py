@@ -1,4 +1,4 @@
-"""Desks with toys in any place and light, and what is where in their pictures: what a detector learns from."""
+"""Generate training data for a detector: random desks with toys, and the toys' boxes in the images."""
 
 import math
 from dataclasses import dataclass
@@ -12,17 +12,17 @@ from workbook.scenes.pinhole import Pinhole
 from workbook.scenes.scene import BALL_RADIUS_M, DESK_M, Box, Cup, Place, Plate, Scene, on_desk
 
 LABELS = ("ball", "brick", "cup", "plate")
-"""What there is to find. All are orange. A blue ball is a decoy and has no label."""
+"""The labels of the objects to detect. All are orange. A blue ball is a decoy and has no label."""
 APART_M = 0.17
-"""Toys that `tabletop` puts on the desk are at least so far apart."""
+"""The smallest distance between toys that `tabletop` puts on the desk."""
 ARMS_AT_REST = (0.0, 0.0, 0.8, 0.8, 0.8, 0.8, 0.06, 0.06, 0.0, 0.06, 0.06, 0.0)
 
 
 @dataclass(frozen=True)
 class Thing:
-    """Something orange in a picture: the middle of its upright box and its size, in pixels.
+    """An orange object in an image: the center and size of its upright bounding box, in pixels.
 
-    `visible`: the part of the box that is inside the picture and not behind an arm, from 0 to 1.
+    `visible`: the share of the box that is inside the image and not behind an arm, from 0 to 1.
     """
 
     label: str
@@ -37,7 +37,10 @@ Spot = tuple[float, float]
 
 
 def tabletop(seed: int, number: int) -> Scene:
-    """A desk with up to six toys, the arms (or none) and a light, by chance: the same for the same seed and number."""
+    """Generate a random desk with up to eight objects, with or without arms, in random light.
+
+    The same seed and number give the same desk.
+    """
     dice = np.random.default_rng((seed, number))
     spots: dict[str, list[Spot]] = {kind: [] for kind in (*LABELS, "decoy")}
     for kind, spot in zip(_kinds(dice), _spots(dice), strict=False):
@@ -56,7 +59,7 @@ def tabletop(seed: int, number: int) -> Scene:
 
 
 def _kinds(dice: np.random.Generator) -> list[str]:
-    """Which toys there are: of balls and decoys one at most, of the others two."""
+    """Choose the toys at random: at most one ball and one decoy, and at most two of each other kind."""
     chosen = [kind for kind in ("ball", "decoy") if dice.random() < 0.6]
     for kind in LABELS[1:]:
         chosen += [kind] * int(dice.integers(3))
@@ -65,7 +68,10 @@ def _kinds(dice: np.random.Generator) -> list[str]:
 
 
 def _spots(dice: np.random.Generator, number: int = 8) -> list[Spot]:
-    """Places on the desk that the camera can see (m: forward, left), apart from each other: eight if they fit."""
+    """Choose random spots (forward and left, m) on the desk in the camera's view, apart from each other.
+
+    There are `number` spots if they fit.
+    """
     found: list[Spot] = []
     for forward, share in dice.uniform((0.55, -0.5), (1.4, 0.5), (60, 2)):
         left = share * (forward + 0.2)
@@ -83,7 +89,7 @@ def _arms(dice: np.random.Generator) -> tuple[float, ...] | None:
 
 
 def things_in(scene: Scene, pinhole: Pinhole) -> list[Thing]:
-    """What is orange in the picture of a scene, also if only a part of it can be seen."""
+    """Return the orange objects in a scene's image, even if only a part of one is visible."""
     outlines = [("brick", _corners(box)) for box in scene.boxes]
     outlines += [("cup", _rim(cup.at, cup.radius, (0.0, cup.height))) for cup in scene.cups]
     outlines += [("plate", _rim(plate.at, plate.radius, (0.0,))) for plate in scene.plates]
@@ -118,7 +124,7 @@ def _rim(at: Spot, radius: float, heights: tuple[float, ...]) -> list[Place]:
 
 
 def _arms_mask(scene: Scene, pinhole: Pinhole) -> Picture:
-    """1 where an arm is in front of everything else."""
+    """Return a mask: 1 where an arm is in front of everything else."""
     mask = np.zeros((pinhole.height, pinhole.width, 3), dtype=np.uint8)
     if scene.joints is not None:
         paint_arms(mask, pinhole, scene.joints, scene.pan)

@@ -1,21 +1,16 @@
-// Sends with each cell that runs what the answer cells of its notebook hold at that moment, run or not, and puts an
-// answer on the screen that the kernel has put back. Plain JavaScript, loaded by JupyterLab as it is: no build step.
-// The other side is workbook/magics/screen.py.
+// With each cell that runs, sends the kernel the current text of the notebook's answer cells, whether or not they were
+// run. It also tells the kernel whether this page draws the robots in cells. When the kernel restores an answer, this
+// script updates the answer cell. When a program starts, it offers the robot panel.
+// JupyterLab loads this plain JavaScript directly, so there's no build step.
+// The kernel's side is workbook/magics/screen.py.
 (() => {
   const NAME = 'rclpy-workbook';
+  const OFFER = 'rclpy-workbook:offer-robot-panel'; // panel.js adds this command
   const ANSWER_LINE = /^\s*%%answer[ \t]+([\w-]+)[^\n]*/;
+  const common = import(new URL('common.js', document.currentScript.src));
   let shared = {};
 
-  // A module of JupyterLab itself, of which there is one version.
-  const moduleOf = async name => {
-    const [version] = Object.values(shared[name] || {});
-    if (!version) {
-      throw new Error(`${NAME}: this JupyterLab has no ${name}`);
-    }
-    return (await version.get())();
-  };
-
-  // The answer cells of the notebook that a cell belongs to: [exercise, cell] from top to bottom.
+  // Return the answer cells in a cell's notebook as [exercise, cell], from top to bottom.
   const answerCells = cell => {
     const notebook = cell.model.sharedModel.notebook;
     const code = notebook ? notebook.cells.filter(one => one.cell_type === 'code') : [];
@@ -25,7 +20,7 @@
       .map(([line, one]) => [line[1], one]);
   };
 
-  // Replaces the program below the first line of the exercise's last answer cell. Ctrl+Z in it takes that back.
+  // Replace the program below the first line of the exercise's last answer cell. Ctrl+Z in that cell undoes this.
   const show = (cell, {exercises, text}) => {
     const [, answer] = answerCells(cell).filter(([exercise]) => exercises.includes(exercise)).pop() || [];
     if (answer) {
@@ -33,28 +28,30 @@
     }
   };
 
-  const activate = async () => {
-    const {CodeCell} = await moduleOf('@jupyterlab/cells');
+  const activate = (app, CodeCell) => {
     const execute = CodeCell.execute;
     CodeCell.execute = async (cell, context, metadata) => {
       const answers = answerCells(cell).map(([, one]) => one.getSource());
-      const more = answers.length ? {workbook: {answers}} : {};
-      const reply = await execute.call(CodeCell, cell, context, {...metadata, ...more});
+      const more = answers.length ? {answers} : {};
+      const workbook = {...(metadata && metadata.workbook), robot: app.commands.hasCommand(OFFER), ...more};
+      const reply = await execute.call(CodeCell, cell, context, {...metadata, workbook});
       for (const payload of (reply && reply.content.payload) || []) {
         if (payload.source === 'workbook_answer') {
           show(cell, payload);
+        } else if (payload.source === 'workbook_started' && app.commands.hasCommand(OFFER)) {
+          app.commands.execute(OFFER);
         }
       }
       return reply;
     };
   };
 
-  const plugin = {id: `${NAME}:answers`, autoStart: true, activate};
+  const plugin = ({CodeCell}) => ({id: `${NAME}:answers`, autoStart: true, activate: app => activate(app, CodeCell)});
   window._JUPYTERLAB = window._JUPYTERLAB || {};
   window._JUPYTERLAB[NAME] = {
     init: scope => {
       shared = scope;
     },
-    get: async () => () => ({__esModule: true, default: plugin})
+    get: async () => (await common).pluginWith(shared, ['@jupyterlab/cells'], plugin)
   };
 })();

@@ -1,7 +1,7 @@
-"""The panel beside a notebook: the robot, the graph and the topics of the notebook's domain.
+"""Show the panel next to a notebook: the robot, the graph and the topics of the notebook's domain.
 
-`observer` is a process that watches a domain, `server` the part of JupyterLab's server that starts it and passes on
-what it tells; `workbook/lab/front_end/panel/` draws that. None of it subscribes to a topic: see `workbook.inside.tap`.
+The `observer` process watches a domain. `server`, part of JupyterLab's server, starts it and forwards its reports.
+`workbook/lab/front_end/panel/` draws them. None of these subscribes to a topic: see `workbook.inside.tap`.
 """
 
 from typing import Any

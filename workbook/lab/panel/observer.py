@@ -1,10 +1,10 @@
-"""Watches the ROS domain of the notebook in front, for the panel: a process of JupyterLab's server.
+"""Watch the active notebook's ROS domain for the panel, as a child process of JupyterLab's server.
 
     python -m workbook.lab.panel.observer PARENT
 
-It reads lines of JSON: {"domain": 17} (null: none) and {"echo": "/topic"} (null: none), and writes what is new as such
-lines. It ends with its input, and with its parent. On the domain it is a hidden node without any topic of its own; what
-is published it hears from the publishing processes (see `workbook.inside.tap`).
+It reads JSON lines, {"domain": 17} and {"echo": "/topic"} (null: none), and writes changes as JSON lines. It exits when
+its input closes or its parent process ends. On the domain, it's a hidden node without any topics. The publishing
+processes send it copies of their messages (see `workbook.inside.tap`).
 """
 
 import contextlib
@@ -22,18 +22,18 @@ from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line
 GRAPH_EVERY_S = 1.0
 NEWS_EVERY_S = 0.25
 ROBOT_EVERY_S = 0.05
-"""The panel's robot glides between the news, at the rate of the screen."""
+"""Between updates, the panel's robot moves smoothly at the screen's refresh rate."""
 GIVES_WAY = 10
-"""Nice value: what a lesson measures must not suffer."""
+"""Nice value, so that the observer doesn't distort a lesson's measurements."""
 
 
 def say(kind: str, **values: object) -> None:
-    """Write a line for the panel."""
+    """Write a line of JSON for the panel."""
     print(json.dumps({"kind": kind, **values}), flush=True)
 
 
 class HiddenNode:
-    """A hidden node on a domain, which sees the graph and nothing else."""
+    """A hidden node on a domain that queries only the graph."""
 
     def __init__(self, domain_id: int) -> None:
         from rclpy.context import Context
@@ -50,7 +50,7 @@ class HiddenNode:
         )
 
     def graph(self) -> dict[str, Any]:
-        """Nodes, and topics with their types and who publishes and subscribes."""
+        """Return the nodes, and the topics with their types, publishers, and subscribers."""
         from workbook.ros.tools import graph_seen
 
         seen = graph_seen(self.node)
@@ -77,7 +77,7 @@ def _nodes(edges: Any, topic: str, role: str) -> list[str]:
 
 
 class DomainWatch:
-    """What the panel shows of one domain."""
+    """Collects what the panel shows for one domain."""
 
     def __init__(self, domain_id: int) -> None:
         self.echo: str | None = None
@@ -91,16 +91,17 @@ class DomainWatch:
         self.fresh = self._robot_is_fresh = False
 
     def take_in(self) -> None:
-        """Take in what the programs report."""
+        """Process the programs' new reports."""
         for report in self.wire.reports():
             message = _message(report)
             text = text_of(report, message)
-            self._traffic.setdefault(report.topic, Traffic()).add(report, text)
+            if "/srv/" not in report.type_name:
+                self._traffic.setdefault(report.topic, Traffic()).add(report, text, message)
             self._robot.take(report.topic, report.type_name, message, one_line(text), time.monotonic())
             self.fresh = self._robot_is_fresh = True
 
     def work(self, now: float) -> float:
-        """Tell the panel what is due. Returns how long (s) there is nothing to do unless a report comes."""
+        """Send the panel all updates that are due. Return the time (s) until the next one unless a report arrives."""
         tasks = (
             ("graph", GRAPH_EVERY_S, self._look),
             ("news", NEWS_EVERY_S if self.fresh or self._is_heard() else GRAPH_EVERY_S, self._tell_news),
@@ -122,8 +123,8 @@ class DomainWatch:
         if graph != self._graph:
             self._graph = graph
             say("graph", **graph)
-        # Each time: a last report may come after its publisher has left the graph.
-        published = {topic["name"] for topic in graph["topics"] if topic["publishers"]}
+        # Do this even if the graph hasn't changed: a last report may arrive after its publisher has left.
+        published = {topic["name"]: topic["type"] for topic in graph["topics"] if topic["publishers"]}
         self._robot.look(bool(graph["nodes"]), published, now)
         for topic in set(self._traffic) - {topic["name"] for topic in graph["topics"]}:
             del self._traffic[topic]
@@ -132,7 +133,7 @@ class DomainWatch:
         self.fresh = False
         known = {topic["name"] for topic in self._graph.get("topics", ())}
         heard = {name: one for name, one in self._traffic.items() if name in known}
-        topics = {name: {"rate": one.rate(now), "value": one.value} for name, one in heard.items()}
+        topics = {name: one.news(now) for name, one in heard.items()}
         echoed = heard.get(self.echo or "")
         messages = list(echoed.messages) if echoed is not None else []
         if (topics, self.echo, messages) != self._told:
@@ -152,25 +153,27 @@ class DomainWatch:
 
 
 def _message(report: PublishedMessage) -> Any:
-    """The message itself; None where it cannot be told."""
+    """Decode a report's message; None if it can't be decoded."""
     from rclpy.serialization import deserialize_message
 
-    from workbook.ros.messages import message_class
+    from workbook.ros.messages import message_class, service_class
 
     with contextlib.suppress(Exception):
-        return deserialize_message(report.data, message_class(report.type_name)) if report.data else None
+        of_service = "/srv/" in report.type_name
+        kind = service_class(report.type_name).Response if of_service else message_class(report.type_name)
+        return deserialize_message(report.data, kind) if report.data else None
     return None
 
 
 class PanelObserver:
-    """Follows what it is told on its input."""
+    """Watches the domain and topic that its input names."""
 
     def __init__(self) -> None:
         self._watch: DomainWatch | None = None
         self._input = b""
 
     def run(self) -> None:
-        """Until the input ends."""
+        """Run until the input ends."""
         os.set_blocking(0, False)
         pause: float | None = None
         while True:

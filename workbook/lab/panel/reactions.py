@@ -1,20 +1,25 @@
-"""What the robot on the panel does with the messages of a topic: one table for all topics of the course."""
+"""Map messages to effects on the panel's robot: one table for all topics of the course."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
+from workbook.lab.panel.images import Thumbnail
 from workbook.pictures.joints import JOINT_NAMES, NEUTRAL, checked
 
+UPRIGHT_RAD = 0.06
+"""Smaller angles are the acceleration sensor's noise."""
+GLANCE_RAD, REAR_GLANCE_RAD = 0.2, 0.6
 WORKING, BROKEN = ("operational", "ok"), ("error", "faulty", "no answer")
-"""Words of a status that the robot has a face for."""
+"""Status words for which the robot has a face."""
 
 
 class Reaction(NamedTuple):
-    """What messages do that are published under a name (the last part of it) and with a type, if that matters.
+    """The effect of messages on topics that end in `name` and have a type (None: any type).
 
-    `effect` is a word that rig.js knows; `value` takes its value from a message, and raises ValueError, in words for
-    the sender, where the message has none.
+    `effect` is defined in rig.js. `value` reads the effect's value from a message. It raises ValueError, with a message
+    for the sender, if there is no valid value.
     """
 
     name: str
@@ -28,7 +33,7 @@ def _angles(message: Any) -> list[float]:
 
 
 def _named_angles(message: Any) -> list[float]:
-    """The angles of a JointState; joints that it doesn't name hang down as they do at rest."""
+    """Return the angles (rad) of a JointState. Joints that it doesn't name get their neutral angle."""
     pose = dict(zip(JOINT_NAMES, NEUTRAL, strict=True))
     pose |= {name: angle for name, angle in zip(message.name, message.position, strict=False) if name in pose}
     return list(checked(pose.values()))
@@ -58,38 +63,102 @@ def _speed(message: Any) -> list[float]:
 
 
 def _direction(message: Any) -> float:
-    """How far (rad) something is to the left in the camera's frame: x right, y down, z forward."""
+    """Return the angle (rad) to the left of a vector in the camera's frame: x right, y down, z forward."""
     vector = message.vector
     return _finite(math.atan2(-vector.x, vector.z), "direction") if vector.x or vector.z else 0.0
+
+
+def _lean(message: Any) -> float:
+    """Return a body's lean angle (rad, positive to its left) from its acceleration at rest."""
+    up = message.linear_acceleration
+    angle = math.atan2(math.hypot(up.x, up.y), up.z)
+    return 0.0 if _finite(angle, "acceleration") < UPRIGHT_RAD else round(math.copysign(angle, -up.y), 2)
+
+
+def _glance(rad: float, message: Any) -> float:
+    """Look to one side for two numbers, then to the other. The message's last word is the number."""
+    words = message.data.split() if isinstance(message.data, str) else list(message.data)
+    number = str(words[-1]) if words else ""
+    return rad if number.isdecimal() and int(number) % 4 < 2 else -rad
+
+
+def _boxes(message: Any) -> list[list[object]]:
+    """Return each detection's label, center and size (pixels), and score."""
+    return [
+        [
+            marker.ns,
+            *(round(_finite(value, "box"), 1) for value in (marker.pose.position.x, marker.pose.position.y)),
+            *(round(_finite(value, "box"), 1) for value in (marker.scale.x, marker.scale.y)),
+            round(_finite(marker.color.a, "score"), 2),
+        ]
+        for marker in message.markers
+    ]
 
 
 def _once(message: Any) -> bool:
     return True
 
 
+_JOINT_STATE, _FLOAT, _STRING = "sensor_msgs/msg/JointState", "std_msgs/msg/Float32", "std_msgs/msg/String"
+_NUMBERS = "std_msgs/msg/Int32MultiArray"
 REACTIONS = (
+    Reaction("encoders/joint_states", _JOINT_STATE, "raw", _named_angles),
+    Reaction("joint_states", _JOINT_STATE, "pose", _named_angles),
     Reaction("joint_positions", "std_msgs/msg/Float32MultiArray", "pose", _angles),
-    Reaction("joint_states", "sensor_msgs/msg/JointState", "pose", _named_angles),
     Reaction("heartbeat", None, "beat", _once),
     Reaction("beat", None, "beat", _once),
-    Reaction("battery", "std_msgs/msg/Float32", "battery", _charge),
-    Reaction("status", "std_msgs/msg/String", "face", _face),
-    Reaction("health", "std_msgs/msg/String", "face", _face),
-    Reaction("tilt", "std_msgs/msg/Float32", "tilt", _angle),
+    Reaction("monitor/battery", _FLOAT, "battery", _charge),
+    Reaction("battery", _FLOAT, "battery", _charge),
+    Reaction("status", _STRING, "face", _face),
+    Reaction("health", _STRING, "face", _face),
+    Reaction("tilt", _FLOAT, "tilt", _angle),
+    Reaction("imu", "sensor_msgs/msg/Imu", "tilt", _lean),
     Reaction("cmd_vel", "geometry_msgs/msg/Twist", "walk", _speed),
-    Reaction("touch", None, "touch", _once),
     Reaction("seen", "std_msgs/msg/Int32", "touch", _once),
-    Reaction("head_angle", "std_msgs/msg/Float32", "look", _angle),
+    Reaction("touch", None, "touch", _once),
     Reaction("ball_direction", "geometry_msgs/msg/Vector3Stamped", "look", _direction),
+    Reaction("head_angle", _FLOAT, "look", _angle),
+    Reaction("robot/rear_camera/frame", _STRING, "look", partial(_glance, REAR_GLANCE_RAD)),
+    Reaction("robot/camera/frame", _STRING, "look", partial(_glance, GLANCE_RAD)),
+    Reaction("look", _NUMBERS, "look", partial(_glance, GLANCE_RAD)),
     Reaction("alarm", "std_msgs/msg/Bool", "alarm", lambda message: bool(message.data)),
-    Reaction("alarm", "std_msgs/msg/String", "alert", _once),
+    Reaction("alarm", _STRING, "alert", _once),
+    Reaction("plan", _FLOAT, "thought", _once),
+    Reaction("detections", "visualization_msgs/msg/MarkerArray", "boxes", _boxes),
+    Reaction("image", "sensor_msgs/msg/Image", "image", Thumbnail),
 )
-"""From the first that fits. Messages of any other topic wake the robot, and stand in words under it."""
-MOMENTS = ("beat", "touch", "alert")
+"""The first matching row applies. While a topic is published, rows below its own can't have the same effect:
+`/monitor/battery` outranks `/robot/battery`. Messages on any other topic wake the robot, and the panel shows them as
+text below it."""
+NOD, SHAKE = Reaction("", None, "nod", _once), Reaction("", None, "shake", _once)
+"""The effect of a service's response, depending on its field `success`."""
+MOMENTS = ("beat", "touch", "alert", "thought", "nod", "shake")
 """Effects that happen once for each message; the others last."""
 
 
-def reaction_to(topic: str, type_name: str) -> Reaction | None:
-    """What the messages of a topic do; None where the table has nothing for it."""
-    name = topic.rpartition("/")[2]
-    return next((one for one in REACTIONS if one.name == name and one.type_name in (None, type_name)), None)
+@lru_cache(maxsize=256)
+def row_of(topic: str, type_name: str) -> int | None:
+    """Return the number of the table row for a topic's messages; None if there is none."""
+    fits = (
+        number
+        for number, one in enumerate(REACTIONS)
+        if f"/{topic}".endswith(f"/{one.name}") and one.type_name in (None, type_name)
+    )
+    return next(fits, None)
+
+
+def is_outranked(topic: str, type_name: str, published: Mapping[str, str]) -> bool:
+    """Return whether a topic in `published` (name: type) has the same effect and a higher row in the table."""
+    own = row_of(topic, type_name)
+    rows = (row_of(name, kind) for name, kind in published.items())
+    return own is not None and any(
+        row is not None and row < own and REACTIONS[row].effect == REACTIONS[own].effect for row in rows
+    )
+
+
+def reaction_to(topic: str, type_name: str, message: Any = None) -> Reaction | None:
+    """Return the effect of a topic's message or a service's response; None if the table has none."""
+    if "/srv/" in type_name:
+        return NOD if getattr(message, "success", True) else SHAKE
+    row = row_of(topic, type_name)
+    return None if row is None else REACTIONS[row]

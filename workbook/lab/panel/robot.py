@@ -1,19 +1,27 @@
-"""The robot of the panel: collects what messages do to it, and tells that when it has changed."""
+"""Collect the effects of messages on the panel's robot, and report changes."""
 
+from collections.abc import Mapping
 from typing import Any
 
-from workbook.lab.panel.reactions import MOMENTS, reaction_to
+from workbook.lab.panel.images import Thumbnail
+from workbook.lab.panel.reactions import MOMENTS, is_outranked, reaction_to
 
 POSE = "a humanoid robot with twelve joints"
 WORDS_EVERY_S = 0.25
-"""Faster than that, no one could read them."""
+"""A shorter period would leave no time to read the words."""
+IMAGES_EVERY_S = 0.15
+"""An image is much larger than every other update."""
+WALKS_ON_AFTER_S = 1.0
+"""The delay before a repeated command is sent again. In rig.js, the robot stops 1.5 s after the last command."""
 GRACE_S = 1.0
-"""A message may come before its publisher is seen on the graph."""
+"""A message may arrive before its publisher appears on the graph."""
+PLUMBING = ("/driver/", "/clock")
+"""Prefixes of the topics that connect an exercise's driver and its judge. They don't concern the robot."""
 _MOST_WORDS = 3
 
 
 class PanelRobot:
-    """What is known of the robot of a domain, and what of that is news for the panel."""
+    """The state of a domain's robot, and the changes that the panel hasn't received yet."""
 
     def __init__(self) -> None:
         self.awake = False
@@ -23,11 +31,16 @@ class PanelRobot:
         self._last = float("-inf")
         self._words_told = float("-inf")
         self._told: dict[str, object] = {}
+        self._published: Mapping[str, str] = {}
+        self._walk_told = float("-inf")
+        self._image: tuple[float, object, object] = float("-inf"), None, None
 
     def take(self, topic: str, type_name: str, message: Any, line: str, now: float) -> None:
-        """React to a message; `line` is what it says in short. `now` is in s, of a steady clock."""
+        """React to a message. `line` summarizes it. `now` is a monotonic time (s)."""
         self.awake, self._last = True, now
-        reaction = reaction_to(topic, type_name) if message is not None else None
+        if topic.startswith(PLUMBING) or is_outranked(topic, type_name, self._published):
+            return
+        reaction = reaction_to(topic, type_name, message) if message is not None else None
         name = topic.rpartition("/")[2]
         if reaction is None:
             self._words[topic] = now, f"{name}: {line}"
@@ -43,9 +56,13 @@ class PanelRobot:
             self._lasting[reaction.effect] = topic, now, value
         self._words[topic] = now, _in_words(reaction.effect, name, value, line)
 
-    def look(self, nodes: bool, topics: set[str], now: float) -> None:
-        """Take in the graph: without nodes the robot sleeps, and what was said on a topic ends with its publishers."""
+    def look(self, nodes: bool, topics: Mapping[str, str], now: float) -> None:
+        """Update the graph. Without nodes, the robot sleeps; a topic's effects end with its publishers.
+
+        `nodes`: whether there are any. `topics`: the names of topics with publishers, and their types.
+        """
         self.awake = nodes or now - self._last < GRACE_S
+        self._published = topics
         lasting = {effect: one for effect, one in self._lasting.items() if one[0] in topics}
         late = {effect: one for effect, one in self._lasting.items() if now - one[1] < GRACE_S}
         self._lasting = lasting | late
@@ -54,18 +71,36 @@ class PanelRobot:
         }
 
     def news(self, now: float) -> dict[str, object]:
-        """What has changed since the last news; empty when nothing has. An effect that has ended is None."""
+        """Return the changes since the last call; empty if there are none. An effect that has ended is None."""
         posed = self._lasting.get("pose")
         manner = f"posed by the last message on {posed[0]}" if posed else "awake" if self.awake else "asleep"
         state: dict[str, object] = {effect: value for effect, (_, _, value) in self._lasting.items()}
+        if isinstance(state.get("image"), Thumbnail):
+            state["image"] = self._shown(state["image"], now)
         state |= {"awake": self.awake, "text": f"{POSE}, {manner}", "words": self._told.get("words")}
         if now - self._words_told >= WORDS_EVERY_S:
             state["words"], self._words_told = self._said(), now
         changes = {name: value for name, value in state.items() if self._told.get(name) != value}
         changes |= {name: None for name in self._told if name not in state}
-        changes |= self._moments
+        changes |= self._moments | self._walks_on(changes, now)
         self._told, self._moments = state, {}
         return changes
+
+    def _walks_on(self, changes: Mapping[str, object], now: float) -> dict[str, object]:
+        _, commanded, speed = self._lasting.get("walk", ("", float("-inf"), None))
+        if "walk" in changes:
+            self._walk_told = now
+        elif commanded > self._walk_told and now - self._walk_told >= WALKS_ON_AFTER_S:
+            self._walk_told = now
+            return {"walk": speed}
+        return {}
+
+    def _shown(self, image: Any, now: float) -> object:
+        told, last, shown = self._image
+        if image is not last and now - told >= IMAGES_EVERY_S:
+            shown = image.shown()
+            self._image = now, image, shown
+        return shown
 
     def _said(self) -> str:
         if not self.awake:
@@ -77,7 +112,7 @@ class PanelRobot:
 
 
 def _in_words(effect: str, name: str, value: object, line: str) -> str:
-    """What the figure alone does not say of an effect."""
+    """Describe the part of an effect that the figure alone doesn't show."""
     if effect == "battery":
         return f"{name}: {value:.0f} %"
-    return f"{name}: {line}" if effect in ("face", "alarm", "alert") else ""
+    return f"{name}: {line}" if effect in ("face", "alarm", "alert", "thought", "nod", "shake") else ""

@@ -1,4 +1,4 @@
-"""The panel's part of JupyterLab's server: follows the notebook in front, and passes on what its observer tells."""
+"""Serve the panel from JupyterLab's server: follow the active notebook, and forward its observer's reports."""
 
 import asyncio
 import contextlib
@@ -23,14 +23,14 @@ END_WITHIN_S = 3.0
 
 
 class ObserverProcess:
-    """The observer of one panel, which ends with its input, with this server, or by `end`."""
+    """The observer process of one panel. It exits when its input closes, this server ends, or `end` is called."""
 
     def __init__(self, process: asyncio.subprocess.Process) -> None:
         self._process = process
 
     @classmethod
     async def started(cls) -> "ObserverProcess":
-        """Start one. Raises OSError."""
+        """Start an observer. Raise OSError if that fails."""
         process = await asyncio.create_subprocess_exec(
             sys.executable,
             *("-P", "-m", "workbook.lab.panel.observer", str(os.getpid())),
@@ -43,18 +43,18 @@ class ObserverProcess:
         return cls(process)
 
     def order(self, **order: object) -> None:
-        """Tell it what to watch."""
+        """Send the observer a domain or a topic to watch."""
         assert self._process.stdin is not None
         if not self._process.stdin.is_closing():
             self._process.stdin.write(json.dumps(order).encode() + b"\n")
 
     async def line(self) -> str:
-        """The next thing it tells; empty when it has ended."""
+        """Return the observer's next line; empty if it has ended."""
         assert self._process.stdout is not None
         return (await self._process.stdout.readline()).decode()
 
     async def end(self) -> None:
-        """End it, and wait until it is gone."""
+        """End the observer, and wait until its process has exited."""
         assert self._process.stdin is not None
         self._process.stdin.close()
         try:
@@ -66,17 +66,17 @@ class ObserverProcess:
 
 
 class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
-    """One open panel. It says {"kernel": ID} and {"echo": TOPIC}, and hears what the observer tells."""
+    """The connection to an open panel. It sends {"kernel": ID} and {"echo": TOPIC}, and gets reports."""
 
     auth_resource = "kernels"
 
     @ws_authenticated
     async def get(self) -> None:
-        """Open the connection, for those who may."""
+        """Open the connection for an authorized user."""
         await super().get()
 
     async def open(self) -> None:
-        """The panel is on the screen now."""
+        """Start an observer for a panel that has appeared on the screen."""
         self._kernel: str | None = None
         self._notebook: OpenNotebook | None = None
         self._observer: ObserverProcess | None = None
@@ -91,7 +91,7 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
         self._follow()
 
     async def on_message(self, message: str | bytes) -> None:
-        """Another notebook is in front, or a topic is to be echoed."""
+        """Handle a change of the active notebook or of the echoed topic."""
         said = json.loads(message)
         if "kernel" in said:
             self._kernel = said["kernel"]
@@ -100,7 +100,7 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
             self._observer.order(echo=said["echo"])
 
     def on_close(self) -> None:
-        """The panel is gone, or hidden."""
+        """Handle a panel that was closed or hidden."""
         super().on_close()
         self._closed = True
         self._ticker.stop()
@@ -108,7 +108,7 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
             self._ending = asyncio.ensure_future(self._observer.end())
 
     def _follow(self) -> None:
-        """Have the observer watch the domain of the notebook in front."""
+        """Have the observer watch the active notebook's domain."""
         if self._observer is None:
             return
         pid = self._pid()
@@ -119,7 +119,7 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
             self._tell({"kind": "domain", "domain": None if notebook is None else notebook.domain_id})
 
     def _pid(self) -> int | None:
-        """The process of the kernel in front."""
+        """Return the process ID of the active notebook's kernel; None if there is none."""
         if self._kernel is None or self._kernel not in self.kernel_manager:
             return None
         provisioner = self.kernel_manager.get_kernel(self._kernel).provisioner
@@ -138,6 +138,6 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
 
 
 def add_handlers(app: Any) -> None:
-    """Have JupyterLab's server answer the panel."""
+    """Add the panel's handler to JupyterLab's server."""
     base = app.web_app.settings["base_url"]
     app.web_app.add_handlers(".*$", [(url_path_join(base, "workbook/panel"), PanelSocket)])

@@ -1,7 +1,8 @@
-"""What the programs of a notebook say that they publish: how often, the last value, the last messages."""
+"""Summarize the messages that a notebook's programs publish: rate, last value, and last messages."""
 
 import contextlib
 import json
+import math
 import os
 import re
 import socket
@@ -11,20 +12,27 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from workbook.inside.tap import ADDRESS
+from workbook.lab.panel.reactions import row_of
 
 WINDOW_S = 10.0
-"""A rate is measured over the messages of so many seconds."""
+"""A rate is measured over the messages of this many seconds."""
 SHORTEST_S = 0.4
-"""Messages within so short a time are told by their number."""
+"""If all messages arrived within this time, their number is shown instead of a rate."""
 KEPT = 20
+NUMBERS_KEPT = 60
+"""Points in a sparkline."""
 LONGEST_VALUE = 90
 _MOST_BYTES = 1 << 18
 _LONG_DECIMALS = re.compile(r"(\d\.\d{3})\d+(?!\d*e)")
+_OF_A_HEADER = ("stamp:", "sec: ", "nanosec: ", "frame_id: ")
 _CREDENTIALS = struct.Struct("3i")
 
 
 class PublishedMessage(NamedTuple):
-    """A message that a program has published: the `number` of that topic since the report before, at `moment` (s)."""
+    """A program's report of a message on a topic, published at `moment` (s).
+
+    `number` counts the topic's messages since the previous report.
+    """
 
     topic: str
     type_name: str
@@ -35,14 +43,14 @@ class PublishedMessage(NamedTuple):
 
 
 class Wire:
-    """The socket on which the programs of a domain report. `open` may have to be tried again."""
+    """The socket that receives reports from a domain's programs. Call `open` again until it succeeds."""
 
     def __init__(self, domain_id: int) -> None:
         self.address = ADDRESS.format(domain_id)
         self.socket: socket.socket | None = None
 
     def open(self) -> bool:
-        """Listen; False while another panel of this domain does."""
+        """Start listening. Return False while another panel for this domain is listening."""
         if self.socket is None:
             wire = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM | socket.SOCK_NONBLOCK)
             wire.setsockopt(socket.SOL_SOCKET, socket.SO_PASSCRED, 1)
@@ -62,7 +70,7 @@ class Wire:
             self.socket = None
 
     def reports(self) -> list[PublishedMessage]:
-        """What has come since; nothing from other users of this machine."""
+        """Return the reports since the last call (at most 500), except those from other users of this machine."""
         found: list[PublishedMessage] = []
         while self.socket is not None and len(found) < 500:
             try:
@@ -92,24 +100,40 @@ def _sender(ancillary: list[tuple[int, int, bytes]]) -> int | None:
 
 @dataclass
 class Traffic:
-    """What was heard of one topic. `value` is one line, `messages` are the last ones in full."""
+    """The messages of one topic. `value` is one line; `messages` are the last messages in full.
+
+    `reacts`: the robot shows the topic, so it needs no other drawing.
+    """
 
     value: str = ""
     messages: deque[str] = field(default_factory=lambda: deque(maxlen=KEPT))
+    numbers: deque[float] = field(default_factory=lambda: deque(maxlen=NUMBERS_KEPT))
+    reacts: bool = False
     _moments: deque[tuple[float, int]] = field(default_factory=deque)
     _count: int = 0
 
-    def add(self, report: PublishedMessage, text: str) -> None:
-        """Take in a message and its text."""
+    def add(self, report: PublishedMessage, text: str, message: Any = None) -> None:
+        """Add a report, its text, and its message (None if not decoded)."""
         self._count += report.number
         self._moments.append((report.moment, self._count))
         while report.moment - self._moments[0][0] > WINDOW_S and len(self._moments) > 3:
             self._moments.popleft()
-        self.value = one_line(text)
+        self.value = _in_short(report, text, message)
         self.messages.append(text)
+        self.reacts = row_of(report.topic, report.type_name) is not None
+        number = getattr(message, "data", None)
+        if isinstance(number, (int, float)) and not isinstance(number, bool) and math.isfinite(number):
+            self.numbers.append(float(f"{number:.4g}"))
+
+    def news(self, now: float) -> dict[str, object]:
+        """Return what the panel shows: rate and value as text, and the last numbers if the topic has numbers."""
+        told: dict[str, object] = {"rate": self.rate(now), "value": self.value}
+        if len(self.numbers) > 1:
+            told |= {"numbers": list(self.numbers), "reacts": self.reacts}
+        return told
 
     def rate(self, now: float) -> str:
-        """How often messages come, in words."""
+        """Describe how often messages arrive."""
         (first, before), (last, count) = self._moments[0], self._moments[-1]
         period = (last - first) / (count - before) if count > before else 0.0
         if last - first < SHORTEST_S:
@@ -119,16 +143,27 @@ class Traffic:
         return f"{1 / period:.0f} Hz" if period < 0.01 else f"{1 / period:.3g} Hz"
 
 
+def _in_short(report: PublishedMessage, text: str, message: Any) -> str:
+    if message is not None and report.type_name == "sensor_msgs/msg/Image":
+        return f"{message.width} × {message.height} pixels, {message.encoding}"
+    return one_line(text)
+
+
 def one_line(text: str) -> str:
-    """A message in short: what `data` holds where there is such a field, else the fields; decimals cut to three."""
+    """Shorten a message's text to one line: the field `data` if it exists, else all fields.
+
+    At most three decimals are kept. A header is left out, because its stamp changes with every message.
+    """
     lines = [line.strip() for line in text.splitlines()]
+    if lines and lines[0] == "header:":
+        lines = [line for line in lines[1:] if not line.startswith(_OF_A_HEADER)]
     data = [line.removeprefix("data: ") for line in lines if line.startswith("data: ")]
-    line = _LONG_DECIMALS.sub(r"\1", ", ".join(data or lines))
+    line = _LONG_DECIMALS.sub(r"\1", ", ".join(data or lines)).replace(":, ", ": ")
     return line if len(line) <= LONGEST_VALUE else f"{line[: LONGEST_VALUE - 1]}…"
 
 
 def text_of(report: PublishedMessage, message: Any) -> str:
-    """A message in full, or what can be said of it."""
+    """Return a message's full text, or its size if it couldn't be decoded."""
     from workbook.ros.topic_monitor import message_text
 
     return message_text(message) if message is not None else f"({report.size} bytes)"

@@ -1,5 +1,5 @@
-// A button "Copy" in each prompt: in the text of a lesson (a fenced block of plain text), and in what `%review` shows.
-// Plain JavaScript, loaded by JupyterLab as it is: no build step.
+// Adds a "Copy" button to each prompt, both in lessons (fenced blocks of plain text) and in the output of `%review`.
+// JupyterLab loads this plain JavaScript directly, so there's no build step.
 (() => {
   const NAME = 'rclpy-workbook-copy';
   const STYLE = new URL('copy.css', document.currentScript.src).href;
@@ -12,7 +12,7 @@
     document.head.append(link);
   };
 
-  // A page that did not come over https or from this computer has no clipboard of its own: copy as a hand does.
+  // The clipboard API needs https or a local server. On other pages, select the text and copy it as a user would.
   const copyByHand = text => {
     const field = document.createElement('textarea');
     Object.assign(field, {value: text, ariaHidden: 'true'});
@@ -51,7 +51,7 @@
       over = setTimeout(() => say('Copy', 'Copy the prompt'), COPIED_MS);
       button.focus({preventScroll: true});
     });
-    // Enter and Space belong to the button, not to the notebook.
+    // The button handles Enter and Space, so the notebook must not receive them.
     button.addEventListener('keydown', event => event.stopPropagation());
     const frame = document.createElement('div');
     frame.className = 'wb-prompt';
@@ -67,7 +67,7 @@
     }
   };
 
-  // Only what was added is looked at: a robot that moves changes the page sixteen times a second.
+  // Search only added nodes, because a moving robot changes the page sixteen times per second.
   const activate = () => {
     addStyle();
     const added = records => new Set(records.flatMap(one => [...one.addedNodes].map(node => node.parentElement)));

@@ -1,43 +1,63 @@
-// How a lesson looks in JupyterLab (desk.css), and names: the tab of an exercise says that it is one, each editor which
-// cell it is, each slider what it turns. Plain JavaScript, loaded by JupyterLab as it is: no build step.
+// Prepares lessons in JupyterLab: their style (desk.css), the room for them, and names. A tab names its lesson and
+// marks exercises, an editor names its cell, and a slider names its parameter. Films get a player (film.js), and a
+// robot waves when a lesson opens.
+// JupyterLab loads this plain JavaScript directly, so there's no build step.
 (() => {
   const NAME = 'rclpy-workbook-desk';
   const STYLE = new URL('desk.css', document.currentScript.src).href;
-  const ROBOT = 'img[alt^="a humanoid robot"]';
+  const player = import(new URL('film.js', document.currentScript.src));
+  const ROBOTS = new URL('../../rclpy-workbook-panel/static/robots.js', document.currentScript.src);
+  const LIST = '.jp-RenderedMarkdown > h1 ~ ul'; // the lesson's minutes, prerequisites, and goals
+  const PICTURE = '.jp-OutputArea-output img';
+  const ROBOT = 'img[alt^="a humanoid robot"], .workbook-cell-robot';
   const NO_MODEL = 'Error displaying widget: model not found';
   const EDITOR = '.cm-content';
   const FOLD = '.jp-collapseHeadingButton';
   const SLIDER = '.widget-slider';
   const WIDE = '(min-width: 1100px)';
+  const ROOMY = '(min-width: 1500px)'; // enough room for the file browser, a lesson, and the robot panel
+  const NUMBERED = /^(\d\d)_\w+?(_deeper)?\.ipynb$/;
   const FILE_NAME = '.jp-DirListing-itemText';
   const running = new Set();
   const watches = new WeakMap();
+  const common = import(new URL('../../rclpy-workbook/static/common.js', document.currentScript.src));
   let shared = {};
 
-  // A module of JupyterLab itself, of which there is one version.
-  const moduleOf = async name => {
-    const [version] = Object.values(shared[name] || {});
-    if (!version) {
-      throw new Error(`${NAME}: this JupyterLab has no ${name}`);
-    }
-    return (await version.get())();
-  };
-
-  // Those of these nodes, and of what is in them, that fit a selector.
+  // Return the elements that match a selector, among these nodes and their descendants.
   const within = (nodes, selector) =>
     nodes
       .filter(node => node.nodeType === Node.ELEMENT_NODE)
       .flatMap(node => [...(node.matches(selector) ? [node] : []), ...node.querySelectorAll(selector)]);
 
-  // A lesson and its exercise have the same file name: desk.css puts a word before that of the exercise. (The label
-  // itself stays: JupyterLab would take another one for a new name of the file.)
+  // Next to the panel, a tab has room only for a number, so desk.css shows a number instead of the file name. The label
+  // itself must stay, because JupyterLab would assume that a changed label means a renamed file.
   const markTab = ({context, title}) => {
-    const isExercise = /(^|\/)exercises\/[^/]+$/.test(context.localPath);
-    title.dataset = {...title.dataset, workbook: isExercise ? 'exercise' : 'lesson'};
+    const [name, folder] = context.localPath.split('/').reverse();
+    const workbook = folder === 'exercises' ? 'exercise' : 'lesson';
+    const [, number, deeper] = NUMBERED.exec(name) || [];
+    const short = number && `${number}${deeper ? ' +' : ''}${workbook === 'exercise' ? ' ✎' : ''}`;
+    title.dataset = {...title.dataset, workbook, ...(short ? {number: short} : {})};
   };
 
-  // JupyterLab's editors have no name. A screen reader says "Code cell 3", counted among the cells of its kind. And the
-  // cells are the articles that the notebook, a feed, must have.
+  // JupyterLab sorts an underscore before a dot, so "01_the_context_deeper" would come before "01_the_context".
+  const sortDeeperAfter = ({DirListing}) => {
+    const {sort} = DirListing.prototype;
+    DirListing.prototype.sort = function (state) {
+      sort.call(this, state);
+      const items = this._sortedItems;
+      if (!Array.isArray(items) || state?.key !== 'name' || state.direction === 'descending') {
+        return;
+      }
+      for (let at = 1; at < items.length; at++) {
+        if (items[at - 1].name === items[at].name.replace('.ipynb', '_deeper.ipynb')) {
+          [items[at - 1], items[at]] = [items[at], items[at - 1]];
+        }
+      }
+    };
+  };
+
+  // JupyterLab's editors have no accessible names, so name them "Code cell 3" and so on, counting each kind separately.
+  // The notebook has the ARIA role "feed", which requires its cells to be articles.
   const nameCells = notebook => {
     const counts = {};
     for (const cell of notebook.widgets) {
@@ -48,17 +68,17 @@
     }
   };
 
-  // The words beside a slider are the name of its handle and of its number.
+  // Use the label next to a slider as the accessible name of its handle and its number.
   const nameSlider = slider => {
     const name = slider.querySelector('.widget-label')?.textContent || 'Slider';
     slider.querySelectorAll('[role=slider], .widget-readout').forEach(one => one.setAttribute('aria-label', name));
     slider.querySelector('.widget-readout')?.setAttribute('role', 'textbox');
   };
 
-  // The arrow before a heading, which JupyterLab leaves without a name.
+  // Name the arrow in front of a heading, because JupyterLab doesn't.
   const nameFold = button => button.setAttribute('aria-label', 'Fold or unfold this section');
 
-  // A button or a slider whose kernel has ended comes back as its text, which says what to do.
+  // Replace a button or slider whose kernel has ended with its text, which says what to do.
   const showText = (notebook, place) => {
     const cell = notebook.widgets.find(one => one.outputArea?.node.contains(place));
     const at = cell ? cell.outputArea.widgets.findIndex(one => one.node.contains(place)) : -1;
@@ -69,14 +89,55 @@
     }
   };
 
-  // JupyterLab puts cells and outputs on the page when it likes.
-  const watchNotebook = notebook => {
+  const playFilms = async pictures => {
+    const {Film, isFilm} = await player;
+    pictures.filter(picture => !picture.closest('.wb-film') && isFilm(picture)).forEach(picture => new Film(picture));
+  };
+
+  // Create a robot that waves when it first comes into view. Its space is reserved before it has loaded.
+  const makeGreeter = () => {
+    const place = document.createElement('div');
+    place.className = 'wb-greeter';
+    const greet = ({Greeter}) => {
+      const greeter = new Greeter();
+      greeter.take({text: 'a robot that waves to you'});
+      place.append(greeter.node);
+      const seen = (entries, sight) => {
+        if (entries.some(one => one.isIntersecting)) {
+          sight.disconnect();
+          greeter.wave();
+        }
+      };
+      new IntersectionObserver(seen).observe(place);
+    };
+    import(ROBOTS).then(greet, () => undefined);
+    return place;
+  };
+
+  // Return whether a lesson opens with the waving robot. Lesson 00 opens with one that a program moves.
+  const isGreeted = ({context}) => {
+    const [name, folder] = context.localPath.split('/').reverse();
+    return NUMBERED.test(name) && folder !== 'exercises' && !name.startsWith('00');
+  };
+
+  // Watch the notebook, because JupyterLab may add cells and outputs to the page at any time.
+  const watchNotebook = (notebook, greeted) => {
+    let greeter = null;
+    const greet = nodes => {
+      const list = greeted && within(nodes, LIST).find(one => notebook.widgets[0]?.node.contains(one));
+      if (list) {
+        greeter ||= makeGreeter();
+        list.before(greeter);
+      }
+    };
     const watch = new MutationObserver(changes => {
       const added = changes.flatMap(change => [...change.addedNodes]);
       const removed = changes.flatMap(change => [...change.removedNodes]);
       added.filter(node => node.data === NO_MODEL && node.parentElement).forEach(node => showText(notebook, node.parentElement));
       within(added, SLIDER).forEach(nameSlider);
       within(added, FOLD).forEach(nameFold);
+      playFilms(within(added, PICTURE));
+      greet(added);
       if (within([...added, ...removed], EDITOR).length) {
         nameCells(notebook);
       }
@@ -85,9 +146,10 @@
     notebook.disposed.connect(() => watch.disconnect());
     nameCells(notebook);
     within([notebook.node], FOLD).forEach(nameFold);
+    greet([notebook.node]);
   };
 
-  // A file name that is too long for its column goes on below, after one of its underscores (a break of no width).
+  // Let long file names wrap after an underscore, by inserting a zero-width space there.
   const breakNames = browser => {
     const texts = nodes =>
       within(nodes, FILE_NAME).flatMap(one => {
@@ -105,7 +167,7 @@
           text.data = marked;
         }
       });
-    // A row that gets another file's name keeps its elements: then the text itself is the target.
+    // When a row changes to another file's name, its elements stay, so the change's target is the text node.
     const elementOf = node => (node.nodeType === Node.TEXT_NODE ? node.parentElement : node);
     const changed = ({target}) => elementOf(target)?.closest(FILE_NAME) || target;
     new MutationObserver(changes => mark(changes.map(changed))).observe(
@@ -114,8 +176,8 @@
     mark([browser.node]);
   };
 
-  // JupyterLab asks for the least width of the column of files (desk.css) once: again when the style has come, and when
-  // the window becomes narrow or wide.
+  // JupyterLab reads the file browser's minimum width (desk.css) only once. So have it read the width again when the
+  // style has loaded, and when the window becomes narrow or wide.
   const addStyle = app => {
     const link = document.createElement('link');
     Object.assign(link, {rel: 'stylesheet', href: STYLE});
@@ -125,7 +187,7 @@
       widget.id === id ? widget : [...(widget.layout || [])].map(one => find(one, id)).find(Boolean);
     const wide = window.matchMedia(WIDE);
     const fit = () => find(app.shell, 'jp-left-stack').fit();
-    // In a window that becomes narrow the column gives room, as soon as its new least width is in force.
+    // When the window becomes narrow, shrink the file browser as soon as its new minimum width is in effect.
     const giveRoom = () => {
       const split = find(app.shell, 'jp-main-split-panel');
       const [, ...others] = split.relativeSizes();
@@ -141,7 +203,7 @@
     app.restored.then(() => breakNames(find(app.shell, 'filebrowser')));
   };
 
-  // A robot that a single cell draws comes onto the screen whole, once for each run.
+  // If only one cell is running and it draws a robot, scroll the whole robot into view, once per run.
   const showRobot = cell => {
     const outputs = cell.outputArea;
     if (!outputs || running.has(cell)) {
@@ -150,7 +212,7 @@
     running.add(cell);
     const watch = new MutationObserver(() => {
       const picture = outputs.node.querySelector(ROBOT);
-      if (picture && picture.complete && picture.naturalHeight) {
+      if (picture && picture.complete !== false && picture.offsetHeight) {
         watch.disconnect();
         if (running.size === 1) {
           picture.scrollIntoView({block: 'nearest'});
@@ -166,17 +228,21 @@
     watches.get(cell)?.disconnect();
   };
 
-  const plugin = ({INotebookTracker, NotebookActions}) => ({
+  const plugin = ({INotebookTracker, NotebookActions}, files) => ({
     id: `${NAME}:plugin`,
     autoStart: true,
     requires: [INotebookTracker],
     activate: (app, tracker) => {
       addStyle(app);
+      sortDeeperAfter(files);
       NotebookActions.executionScheduled.connect((_, {cell}) => showRobot(cell));
       NotebookActions.executed.connect((_, {cell}) => ended(cell));
       tracker.widgetAdded.connect((_, panel) => {
         markTab(panel);
-        watchNotebook(panel.content);
+        if (!window.matchMedia(ROOMY).matches) {
+          app.restored.then(() => app.shell.collapseLeft());
+        }
+        watchNotebook(panel.content, isGreeted(panel));
         panel.context.pathChanged.connect(() => markTab(panel));
       });
     }
@@ -187,9 +253,6 @@
     init: scope => {
       shared = scope;
     },
-    get: async () => {
-      const notebook = await moduleOf('@jupyterlab/notebook');
-      return () => ({__esModule: true, default: plugin(notebook)});
-    }
+    get: async () => (await common).pluginWith(shared, ['@jupyterlab/notebook', '@jupyterlab/filebrowser'], plugin)
   };
 })();

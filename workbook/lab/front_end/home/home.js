@@ -1,20 +1,14 @@
-// The home page in a tab: shows what the server says (workbook/lab/home.py), opens the cell that a link names, and
-// follows the progress while it is on the screen. Plain JavaScript, loaded by JupyterLab as it is: no build step.
+// Shows the home page in a tab. The HTML comes from the server (workbook/lab/home.py). The page opens the cell that a
+// link names, and updates the progress while the tab is visible.
+// JupyterLab loads this plain JavaScript directly, so there's no build step.
 (() => {
   const NAME = 'rclpy-workbook-home';
   const COMMAND = 'workbook:home';
   const LOOK_EVERY_MS = 2000;
   const STYLE = new URL('home.css', document.currentScript.src).href;
+  const ROBOTS = new URL('../../rclpy-workbook-panel/static/robots.js', document.currentScript.src);
+  const common = import(new URL('../../rclpy-workbook/static/common.js', document.currentScript.src));
   let shared = {};
-
-  // A module of JupyterLab itself, of which there is one version.
-  const moduleOf = async name => {
-    const [version] = Object.values(shared[name] || {});
-    if (!version) {
-      throw new Error(`${NAME}: this JupyterLab has no ${name}`);
-    }
-    return (await version.get())();
-  };
 
   const addStyle = () => {
     const link = document.createElement('link');
@@ -23,7 +17,21 @@
     document.head.append(link);
   };
 
-  // Opens a notebook, and its cell of that id in sight.
+  // Wait until a cell is on the page. JupyterLab adds cells one by one, and stops waiting for one after ten seconds.
+  const onPage = (notebook, cell) =>
+    new Promise(resolve => {
+      const watch = new MutationObserver(() => look());
+      const look = () => {
+        if (cell.isAttached || notebook.isDisposed) {
+          watch.disconnect();
+          resolve();
+        }
+      };
+      watch.observe(notebook.node, {childList: true, subtree: true});
+      look();
+    });
+
+  // Open a notebook, and scroll to the cell with this ID.
   const open = async (app, path, id) => {
     const panel = await app.commands.execute('docmanager:open', {path, factory: 'Notebook'});
     if (!panel || !id) {
@@ -36,6 +44,7 @@
     if (place >= 0) {
       notebook.deselectAll();
       notebook.activeCellIndex = place;
+      await onPage(notebook, notebook.widgets[place]);
       await notebook.scrollToItem(place, 'start');
       notebook.activate();
     }
@@ -44,6 +53,9 @@
   class Page {
     constructor(app, ask, widget) {
       Object.assign(this, {app, ask, widget, tag: ''});
+      // The robot waves when the page is shown. Without the panel's files, the page has no robot.
+      const greeter = import(ROBOTS).then(({Greeter}) => new Greeter());
+      this.greet = act => greeter.then(act, () => undefined);
       this.node = widget.node;
       this.node.classList.add('wb-home');
       this.node.tabIndex = -1;
@@ -56,7 +68,7 @@
       widget.disposed.connect(() => clearInterval(timer));
     }
 
-    // Asks the server while somebody may be looking.
+    // Poll the server, but only while the page is visible.
     async look() {
       if (this.asking || !this.widget.isVisible || document.hidden) {
         return;
@@ -69,13 +81,13 @@
           this.show(await reply.text());
         }
       } catch (error) {
-        // The server is away for the moment. JupyterLab says so, and the page stays as it is.
+        // The server is temporarily unreachable. JupyterLab reports that, so leave the page unchanged.
       } finally {
         this.asking = false;
       }
     }
 
-    // Replaces what is shown; the focus and the place stay.
+    // Replace the page's content, but keep the focus and the scroll position.
     show(html) {
       const focused = this.node.contains(document.activeElement) ? document.activeElement : null;
       const key = focused && focused.dataset.key;
@@ -84,6 +96,15 @@
       const place = this.body.querySelector('.wb-said');
       if (place) {
         place.textContent = said;
+      }
+      const figure = this.body.querySelector('.wb-figure');
+      if (figure) {
+        this.greet(greeter => {
+          figure.append(greeter.node);
+          const {share} = figure.dataset;
+          const text = `a humanoid robot with twelve joints; its battery shows that you have done ${share} % of the course`;
+          greeter.take({battery: Number(share), text});
+        });
       }
       if (focused) {
         (this.body.querySelector(`[data-key="${key}"]`) || this.node).focus({preventScroll: true});
@@ -129,7 +150,10 @@
           Object.assign(widget, {id: 'workbook-home'});
           Object.assign(widget.title, {label: 'Home', closable: true, caption: 'What you have read, predicted and solved'});
           page = new Page(app, ask, widget);
-          const look = () => page.look();
+          const look = () => {
+            page.look();
+            page.greet(greeter => greeter.wave());
+          };
           widget.onAfterShow = look;
           widget.onAfterAttach = look;
           widget.onActivateRequest = () => widget.node.focus({preventScroll: true});
@@ -147,7 +171,7 @@
       if (launcher) {
         launcher.add({command: COMMAND, category: 'Other', rank: 0});
       }
-      // Started without a notebook in the address, JupyterLab opens at home.
+      // If the address names no notebook, JupyterLab opens the home page.
       app.restored.then(() => {
         if (!PageConfig.getOption('treePath') && PageConfig.getOption('workspace') === 'default') {
           show();
@@ -164,8 +188,7 @@
     get: async () => {
       const names = ['apputils', 'mainmenu', 'launcher'].map(name => `@jupyterlab/${name}`);
       const more = ['@lumino/widgets', '@jupyterlab/services', '@jupyterlab/coreutils'];
-      const modules = await Promise.all([...names, ...more].map(moduleOf));
-      return () => ({__esModule: true, default: plugin(...modules)});
+      return (await common).pluginWith(shared, [...names, ...more], plugin);
     }
   };
 })();

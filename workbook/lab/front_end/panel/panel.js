@@ -1,50 +1,41 @@
-// The panel beside the notebook: the robot that moves, the graph, and the topics with rate and last value. It follows
-// the notebook in front, and is connected only while it is on the screen. Plain JavaScript, no build step.
-// The other side is workbook/lab/panel.
+// Adds the panel next to the notebook: the moving robot, the graph, and each topic's rate and last value. Also adds the
+// robots in cells. They all show the messages that the active notebook's programs publish.
+// JupyterLab loads this plain JavaScript directly, so there's no build step.
+// The server's side is workbook/lab/panel.
 (() => {
   const NAME = 'rclpy-workbook-panel';
   const TOGGLE = 'rclpy-workbook:robot-panel';
+  const OFFER = 'rclpy-workbook:offer-robot-panel';
   const TITLE = 'Robot panel';
-  const AGAIN_MS = 2000;
-  const LINGERS_MS = 1500;
   const ICON =
     '<svg xmlns="http://www.w3.org/2000/svg" width="16" height="16" viewBox="0 0 16 16"><g class="jp-icon3" fill="#616161">' +
     '<path d="M7.5 1h1v2h4A1.5 1.5 0 0 1 14 4.500v6a1.500 1.500 0 0 1-1.500 1.500h-9A1.500 1.500 0 0 1 2 10.500v-6A1.500 1.500 0 0 1 3.500 3h4zM5.500 6a1.300 1.300 0 1 0 .01 0zm5 0a1.300 1.300 0 1 0 .01 0zM5 13h6v2H5z"/></g></svg>';
-  const here = document.currentScript && document.currentScript.src; // the sheets and the robot lie next to this file
+  const here = document.currentScript && document.currentScript.src; // the style sheets and the robot are there, too
+  const common = import(new URL('../../rclpy-workbook/static/common.js', here));
   let shared = {};
 
-  // A module of JupyterLab itself, of which there is one version.
-  const moduleOf = async name => {
-    const [version] = Object.values(shared[name] || {});
-    if (!version) {
-      throw new Error(`${NAME}: this JupyterLab has no ${name}`);
+  // Show these topic rows in a table. Return whether there are any.
+  const fill = (table, rows, ...head) => {
+    const wanted = rows.map(([, one]) => one.row);
+    const present = [...table.tBodies];
+    if (wanted.length !== present.length || wanted.some((row, at) => row !== present[at])) {
+      table.replaceChildren(...head, ...wanted);
     }
-    return (await version.get())();
+    return wanted.length > 0;
   };
 
-  const SVG = 'http://www.w3.org/2000/svg';
-  const draw = (name, attributes, ...children) => {
-    const element = document.createElementNS(SVG, name);
-    Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, value));
-    element.append(...children);
-    return element;
-  };
-  const make = (name, attributes = {}, ...children) => {
-    const element = document.createElement(name);
-    Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, value));
-    element.append(...children);
-    return element;
-  };
+  // Return whether a topic is the exercise's plumbing: its driver and the judge communicate through it.
+  const isPlumbing = name => name === '/clock' || name.startsWith('/driver/');
 
-  // The graph in two columns, nodes and topics, which fit beside a notebook; an arrow for each publisher and subscription.
+  // The graph has two columns, nodes and topics, to fit next to a notebook. Publishers and subscriptions are arrows.
   const ROW = 48;
   const BOX = 38;
   const LETTER = 6.4;
   const NARROW = 1000;
-  const drawGraph = ({nodes, topics}, width) => {
+  const drawGraph = (draw, {nodes, topics}, width) => {
     const column = Math.floor(width * 0.43);
     const letters = Math.max(6, Math.floor((column - 12) / LETTER));
-    // A name in one line or two, broken before the last / or _ that fits.
+    // Split a name into one or two lines, before the last / or _ that fits.
     const lines = name => {
       if (name.length <= letters) {
         return [name];
@@ -100,52 +91,51 @@
     return picture;
   };
 
-  const definePanel = (Widget, connect, makeRobot) =>
-    class RobotPanel extends Widget {
+  const definePanel = (Widget, stream, stage, makeStage) => {
+    const {make, breakable, sparkline} = stage;
+    return class RobotPanel extends Widget {
       constructor() {
         super({node: make('div', {role: 'region', 'aria-label': TITLE, tabindex: '0'})});
         this.id = NAME;
         this.addClass('workbook-panel');
-        this.node.style.minWidth = '300px'; // JupyterLab asks for it before the sheet is there
+        this.node.style.minWidth = '300px'; // JupyterLab reads this before the style sheet has loaded
         this._kernel = null;
         this._echo = null;
-        this._socket = null;
         this._graph = {nodes: [], topics: []};
         this._rows = new Map();
         this._build();
-        document.addEventListener('visibilitychange', () => this._connect());
         this._forget();
+        stream.add(this);
       }
 
-      // Watch the domain of this kernel (null: none) of the notebook at this path (null: none is open).
+      // Watch the domain of a notebook's kernel (null if none is running). `path` is null if no notebook is open.
       follow(kernel, path, name) {
         this._notebook = path;
-        this._name.textContent = name || 'No notebook';
+        this._name.replaceChildren(...breakable(name || 'No notebook'));
         if (this._kernel !== kernel) {
           this._kernel = kernel;
           this._domain = undefined;
           this._forget();
-          this._send({kernel});
-          this._connect();
         } else if (!kernel) {
           this._forget();
         }
+        stream.follow(kernel);
       }
 
       onAfterShow() {
-        this._connect();
+        stream.look();
       }
 
       onAfterHide() {
-        this._connect();
+        stream.look();
       }
 
       onAfterAttach() {
-        this._connect();
+        stream.look();
       }
 
-      onBeforeDetach() {
-        this._disconnect();
+      onAfterDetach() {
+        stream.look();
       }
 
       onResize() {
@@ -155,92 +145,52 @@
       _build() {
         this._name = make('h2');
         this._status = make('p', {role: 'status'});
-        this._robot = null;
-        this._figure = make('div', {class: 'workbook-robot', hidden: ''});
-        this._words = make('p', {class: 'workbook-words'});
+        this._stage = makeStage();
+        this._stage.node.hidden = true;
         this._picture = make('div', {class: 'workbook-graph'});
         this._head = make('thead', {}, make('tr', {}, ...['Topic, last value', 'Rate'].map(word => make('th', {scope: 'col'}, word))));
         this._table = make('table', {}, this._head);
+        this._plumbing = make('table');
+        this._folded = make('details', {hidden: ''}, make('summary'), this._plumbing);
         this._messages = make('pre', {tabindex: '0'});
         this._echoTitle = make('h3');
         this._echoPart = make('section', {hidden: '', class: 'workbook-echo'}, this._echoTitle, this._messages);
-        this._parts = make('div', {}, make('h3', {}, 'Graph'), this._picture, make('h3', {}, 'Topics'), this._table, this._echoPart);
-        this.node.append(this._name, this._status, this._figure, this._words, this._parts);
+        this._parts = make('div', {}, make('h3', {}, 'Graph'), this._picture, make('h3', {}, 'Topics'), this._table, this._folded, this._echoPart);
+        this.node.append(this._name, this._status, this._stage.node, this._parts);
       }
 
-      // Without a kernel there is nothing to watch, and no observer runs.
-      _wanted() {
-        return this._kernel !== null && this.isVisible && document.visibilityState === 'visible';
+      wants() {
+        return this.isVisible;
       }
 
-      // Another theme hides the panel for a moment, and a notebook that comes to the front may have no kernel for a
-      // moment: the panel stays connected for a little longer than it is wanted.
-      _connect() {
-        clearTimeout(this._leaving);
-        if (!this._wanted()) {
-          this._leaving = setTimeout(() => this._disconnect(), LINGERS_MS);
-        } else if (!this._socket) {
-          const socket = connect();
-          this._socket = socket;
-          this._say('Starting …');
-          socket.onopen = () => {
-            if (this._robot) {
-              this._robot.reset();
-            }
-            this._send({kernel: this._kernel});
-          };
-          socket.onmessage = event => this._take(JSON.parse(event.data));
-          socket.onclose = () => {
-            if (this._socket === socket) {
-              this._socket = null;
-              this._say('Not connected. Trying again …');
-              setTimeout(() => this._connect(), AGAIN_MS);
-            }
-          };
-        }
+      opened() {
+        this._stage.reset();
       }
 
-      _disconnect() {
-        const socket = this._socket;
-        this._socket = null;
-        if (socket) {
-          socket.close();
-        }
-      }
-
-      _send(what) {
-        if (this._socket && this._socket.readyState === WebSocket.OPEN) {
-          this._socket.send(JSON.stringify(what));
-        }
-      }
-
-      _say(text) {
+      say(text) {
         this._status.textContent = text;
       }
 
-      // Nothing is known of this notebook yet.
+      // Clear the panel until it receives data about this notebook.
       _forget() {
         this._graph = {nodes: [], topics: []};
         this._choose(null);
-        this._figure.hidden = true;
-        this._words.textContent = '';
-        if (this._robot) {
-          this._robot.reset();
-        }
+        this._stage.node.hidden = true;
+        this._stage.reset();
         this._parts.hidden = true;
         const none = this._notebook ? 'Its kernel is not running.' : 'Open a notebook to see its robot.';
-        this._say(this._kernel ? 'Looking for the domain of this notebook …' : none);
+        this.say(this._kernel ? 'Looking for the domain of this notebook …' : none);
       }
 
-      _take(news) {
+      take(news) {
         if (news.kind === 'domain') {
           if (news.domain !== this._domain) {
             this._domain = news.domain;
             this._forget();
           }
           if (news.domain !== null) {
-            this._say(`ROS domain ${news.domain}`);
-            this._send({echo: this._echo});
+            this.say(`ROS domain ${news.domain}`);
+            stream.send({echo: this._echo});
           }
         } else if (news.kind === 'robot') {
           this._showRobot(news);
@@ -257,23 +207,19 @@
 
       async _showRobot(news) {
         const domain = this._domain;
-        const robot = await makeRobot();
-        if (!this._robot) {
-          this._robot = robot;
-          this._figure.append(robot.node);
-        }
+        await this._stage.bring();
         if (domain === this._domain) {
-          this._robot.take(news);
-          this._words.textContent = news.words === undefined ? this._words.textContent : news.words;
-          this._figure.hidden = false;
+          this._stage.take(news);
+          this._stage.node.hidden = false;
         }
       }
 
       _showGraph() {
         const width = Math.max(200, this._picture.clientWidth || this.node.clientWidth - 24);
-        const {nodes, topics} = this._graph;
+        const topics = this._graph.topics.filter(({name}) => !isPlumbing(name));
+        const nodes = this._graph.nodes.filter(name => name !== '/driver');
         this._picture.replaceChildren(
-          nodes.length || topics.length ? drawGraph(this._graph, width) : make('p', {}, 'No nodes on this domain.')
+          nodes.length || topics.length ? drawGraph(stage.draw, {nodes, topics}, width) : make('p', {}, 'No nodes on this domain.')
         );
       }
 
@@ -283,7 +229,7 @@
           if (kept) {
             return [name, kept];
           }
-          const button = make('button', {type: 'button', title: `${type}: show its messages`, 'aria-pressed': 'false'}, name);
+          const button = make('button', {type: 'button', title: `${type}: show its messages`, 'aria-pressed': 'false'}, ...breakable(name));
           button.onclick = () => {
             this._choose(this._echo === name ? null : name);
             this._keepChoice();
@@ -301,15 +247,13 @@
         if (!this._echo && this._rows.has(kept)) {
           this._choose(kept);
         }
-        const wanted = rows.map(([, one]) => one.row);
-        const present = [...this._table.tBodies];
-        if (wanted.length !== present.length || wanted.some((row, at) => row !== present[at])) {
-          this._table.replaceChildren(this._head, ...wanted);
-        }
-        this._table.hidden = !rows.length;
+        const [plumbing, seen] = [true, false].map(kind => rows.filter(([name]) => isPlumbing(name) === kind));
+        this._table.hidden = !fill(this._table, seen, this._head);
+        this._folded.hidden = !fill(this._plumbing, plumbing);
+        this._folded.firstChild.textContent = `The exercise's own topics (${plumbing.length})`;
       }
 
-      // Show the messages of a topic (null: of none).
+      // Show a topic's messages (null: hide them).
       _choose(topic) {
         this._echo = topic;
         this._rows.forEach((one, name) => one.button.setAttribute('aria-pressed', String(name === topic)));
@@ -317,11 +261,11 @@
         this._echoTitle.textContent = topic === null ? '' : `Messages on ${topic}`;
         this._messages.setAttribute('aria-label', this._echoTitle.textContent);
         this._messages.textContent = 'waiting for the next one …';
-        this._send({echo: topic});
+        stream.send({echo: topic});
       }
 
-      // The topic chosen beside a notebook, for as long as the browser's tab lives: it outlives a reload of the page, a
-      // restart of the kernel and a look at another notebook.
+      // Store the topic chosen for a notebook until the browser tab is closed. The choice survives page reloads, kernel
+      // restarts, and visits to other notebooks.
       _keepChoice() {
         sessionStorage.setItem(`${NAME}:${this._notebook}`, this._echo || '');
       }
@@ -331,11 +275,12 @@
       }
 
       _showNews({topics, echo, messages}) {
+        this._stage.take({kind: 'news', topics});
         this._rows.forEach(({rate, value}, name) => {
           const heard = topics[name];
           if (heard) {
             rate.textContent = heard.rate;
-            value.textContent = heard.value;
+            value.replaceChildren(heard.value, ...(heard.numbers ? [sparkline(heard.numbers)] : []));
             value.title = heard.value;
           }
         });
@@ -345,6 +290,7 @@
         }
       }
     };
+  };
 
   const activateWith = (modules, Panel) => (app, tracker, shell, palette, restorer) => {
     const {LabIcon, ToolbarButton} = modules;
@@ -372,7 +318,7 @@
         shell.activateById(panel.id);
       }
     });
-    // In a narrow window, notebook and panel need the room of the files.
+    // In a narrow window, the notebook and the panel need the file browser's space.
     window.matchMedia(`(max-width: ${NARROW - 1}px)`).addEventListener('change', ({matches}) => {
       if (matches && panel.isVisible) {
         shell.collapseLeft();
@@ -381,6 +327,15 @@
     if (palette) {
       palette.addItem({command: TOGGLE, category: 'Robot'});
     }
+    app.commands.addCommand(OFFER, {
+      label: 'Show the robot panel the first time',
+      execute: () => {
+        if (!sessionStorage.getItem(OFFER) && !panel.isVisible) {
+          app.commands.execute(TOGGLE);
+        }
+        sessionStorage.setItem(OFFER, 'done'); // don't reopen a panel that the reader has closed in this tab
+      }
+    });
     let followed = null;
     const follow = () => {
       const notebook = tracker.currentWidget;
@@ -410,46 +365,45 @@
     });
   };
 
-  // The robot of this panel; its shapes are read when it is first shown.
-  const robotMaker = () => {
-    let robot = null;
-    const read = async () => {
-      const [{Robot}, answer] = await Promise.all([import(new URL('rig.js', here)), fetch(new URL('figure.json', here))]);
-      return new Robot(await answer.json());
-    };
-    return () => {
-      if (!robot) {
-        robot = read();
-        robot.catch(() => {
-          robot = null; // the next message tries again
-        });
-      }
-      return robot;
-    };
-  };
+  const makeRobot = async () => (await import(new URL('robots.js', here))).makeRobot();
 
-  const makePlugin = async () => {
-    const names = ['application', 'apputils', 'coreutils', 'notebook', 'services', 'ui-components'];
-    const loaded = await Promise.all([...names.map(name => moduleOf(`@jupyterlab/${name}`)), moduleOf('@lumino/widgets')]);
-    const [application, apputils, {URLExt}, {INotebookTracker}, {ServerConnection}, components, {Widget}] = loaded;
+  const makePlugin = async (...modules) => {
+    const [application, apputils, {URLExt}, {INotebookTracker}, rendermimes, {ServerConnection}, components, {Widget}] = modules;
+    const {IRenderMimeRegistry, htmlRendererFactory} = rendermimes;
+    const files = ['stream.js', 'cell.js', 'card.js', 'stage.js'].map(file => import(new URL(file, here)));
+    const [{Stream}, {TYPE, defineCellRobot}, {CHECK, defineCheckRobot}, stage] = await Promise.all(files);
     const connect = () => {
       const settings = ServerConnection.makeSettings();
       const token = settings.token ? `?token=${encodeURIComponent(settings.token)}` : '';
       return new WebSocket(URLExt.join(settings.wsUrl, 'workbook', 'panel') + token);
     };
+    const stream = new Stream(connect);
     const {ILabShell, ILayoutRestorer} = application;
+    const makeStage = () => new stage.Stage(makeRobot);
+    const CellRobot = defineCellRobot(Widget, stream, makeStage);
+    const CheckRobot = defineCheckRobot(Widget, htmlRendererFactory, makeRobot);
+    const cells = {safe: true, mimeTypes: [TYPE], createRenderer: () => new CellRobot()};
+    const cards = {safe: true, mimeTypes: [CHECK], createRenderer: options => new CheckRobot(options)};
+    const activatePanel = activateWith(components, definePanel(Widget, stream, stage, makeStage));
     return {
       id: `${NAME}:panel`,
       autoStart: true,
-      requires: [INotebookTracker, ILabShell],
+      requires: [INotebookTracker, ILabShell, IRenderMimeRegistry],
       optional: [apputils.ICommandPalette, ILayoutRestorer],
-      activate: activateWith(components, definePanel(Widget, connect, robotMaker()))
+      activate: (app, tracker, shell, rendermime, ...more) => {
+        rendermime.addFactory(cells, 0);
+        rendermime.addFactory(cards, 0);
+        activatePanel(app, tracker, shell, ...more);
+      }
     };
   };
 
   const addStyle = () => {
-    for (const sheet of ['panel.css', 'contrast.css']) {
-      document.head.append(make('link', {rel: 'stylesheet', href: new URL(sheet, here).href}));
+    for (const sheet of ['panel.css', 'card.css', 'contrast.css']) {
+      const link = document.createElement('link');
+      link.rel = 'stylesheet';
+      link.href = new URL(sheet, here).href;
+      document.head.append(link);
     }
     return {};
   };
@@ -463,8 +417,9 @@
       if (name === './style') {
         return addStyle;
       }
-      const plugin = await makePlugin();
-      return () => ({__esModule: true, default: plugin});
+      const names = ['application', 'apputils', 'coreutils', 'notebook', 'rendermime', 'services', 'ui-components'];
+      const all = [...names.map(one => `@jupyterlab/${one}`), '@lumino/widgets'];
+      return (await common).pluginWith(shared, all, makePlugin);
     }
   };
 })();

@@ -1,14 +1,21 @@
-// The robot, drawn by the page: it glides from message to message at the rate of the screen, and costs nothing while
-// it stands still. figure.json has its shapes, joints and poses; the table in workbook/lab/panel/reactions.py says which
-// topic has which effect. Needs nothing but a document, so any page can show it.
+// The robot, drawn by the page. It glides from message to message at the screen's refresh rate, and needs no CPU time
+// while it stands still. figure.json has its shapes, joints, and poses. The table in workbook/lab/panel/reactions.py
+// maps topics to effects. This file needs only a document, so any page can show the robot.
 const SVG = 'http://www.w3.org/2000/svg';
-const GLIDE_MS = 70; // what is left of a way shrinks to a third in this time
+const GLIDE_MS = 70; // in this time, the rest of a movement shrinks to about a third
 const ARRIVED = 0.001;
 const BEAT_MS = 500;
 const FLINCH_MS = 600;
 const ALERT_MS = 3000;
+const THOUGHT_MS = 2000;
+const REPLY_MS = 900; // a nod or a head shake
+const DIP = 9; // px; how far the head moves down in a nod
+const SHAKES = 0.22; // rad
 const WALK_ENDS_MS = 1500; // without another command
-const MOST_TILT = 0.7;
+const MOST_TILT = 1.5;
+const UPRIGHT_TO = 0.7; // rad; beyond this lean, the feet slip, so that a fallen robot stays in view
+const SLIPS = 190; // px
+const LIES_HIGH = 58;
 const STEPS_PER_M = 2;
 const REST = {tilt: 0, look: 0, charge: 0, stride: 0, turn: 0};
 
@@ -19,7 +26,7 @@ const element = ({tag, text, ...attributes}, ...children) => {
   return made;
 };
 
-// A turn by an angle (rad) around a point, and what follows it; a matrix as SVG writes it.
+// Multiply a matrix, in SVG's order, by a rotation of `angle` (rad) around the point (x, y).
 const turned = ([a, b, c, d, e, f], angle, x, y) => {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   const [g, h] = [x - x * cos + y * sin, y - x * sin - y * cos];
@@ -44,26 +51,34 @@ export class Robot {
     this._fullWidth = Number(this._level.getAttribute('width'));
     this._chains = new Map(this._parts.concat(figure.touching).map(({joints}) => [joints.join(), joints]));
     this._frame = null;
-    this._alert = null;
+    this.glide = GLIDE_MS;
+    this._signs_on = {alert: null, thought: null}; // timers
     this.reset();
   }
 
-  // As it was before the first message: asleep.
+  // Restore the state before the first message: asleep.
   reset() {
     this._state = {awake: false, face: null, alarm: false, battery: null, text: 'a humanoid robot with twelve joints, asleep'};
     this._aim = {...REST, pose: this._figure.neutral};
     this._now = {...REST, pose: this._figure.neutral};
-    this._since = {beat: -Infinity, touch: -Infinity};
+    this._since = {beat: -Infinity, touch: -Infinity, nod: -Infinity, shake: -Infinity};
     this._steps = 0;
     this._beats = 0;
     this._walk(null);
-    clearTimeout(this._alert);
-    this._alert = null;
+    Object.keys(this._signs_on).forEach(sign => {
+      clearTimeout(this._signs_on[sign]);
+      this._signs_on[sign] = null;
+    });
     this._show();
     this._draw(performance.now());
   }
 
-  // What messages do: only what has changed. null is the end of an effect; a beat, a touch and an alert are counted.
+  // The names of the effects that happen once. All others last.
+  get moments() {
+    return Object.keys({...this._since, ...this._signs_on});
+  }
+
+  // Apply the changed effects. null ends a lasting effect. For a beat, a touch, or the like, the value is a count.
   take(news) {
     const now = performance.now();
     for (const [effect, value] of Object.entries(news)) {
@@ -75,15 +90,16 @@ export class Robot {
         this._aim.look = clamped(value || 0, MOST_TILT);
       } else if (effect === 'walk') {
         this._walk(value);
-      } else if (effect === 'beat' || effect === 'touch') {
+      } else if (effect in this._since) {
         this._since[effect] = now;
         this._beats += effect === 'beat' ? value : 0;
-      } else if (effect === 'alert') {
-        clearTimeout(this._alert);
-        this._alert = setTimeout(() => {
-          this._alert = null;
+      } else if (effect in this._signs_on) {
+        clearTimeout(this._signs_on[effect]);
+        const off = () => {
+          this._signs_on[effect] = null;
           this._show();
-        }, ALERT_MS);
+        };
+        this._signs_on[effect] = setTimeout(off, effect === 'alert' ? ALERT_MS : THOUGHT_MS);
       } else if (effect in this._state) {
         this._state[effect] = value;
       }
@@ -108,22 +124,32 @@ export class Robot {
     }
   }
 
-  // What is on and off.
+  // Show or hide the parts that depend on the state.
   _show() {
     const {awake, face, alarm, battery, text} = this._state;
-    const shown = awake ? face || 'awake' : 'asleep';
+    const alarmed = Boolean(alarm) || this._signs_on.alert !== null;
+    const shown = awake ? face || (alarmed ? 'error' : 'awake') : 'asleep';
     const signs = {
       heart: this._stillness.matches ? this._beats % 2 === 1 : true,
       battery: battery !== null,
       level: battery !== null,
-      alarm: Boolean(alarm) || this._alert !== null
+      alarm: alarmed,
+      thought: this._signs_on.thought !== null
     };
-    this._parts.forEach(({node, faces, sign}) => {
-      const is = sign ? signs[sign] : !faces || faces.includes(shown);
-      node.setAttribute('display', is ? 'inline' : 'none');
+    this._parts.forEach(part => {
+      const {node, faces, sign} = part;
+      const display = (sign ? signs[sign] : !faces || faces.includes(shown)) ? 'inline' : 'none';
+      if (part.display !== display) {
+        part.display = display;
+        node.setAttribute('display', display);
+      }
     });
-    this.node.setAttribute('aria-label', text || '');
-    this.node.setAttribute('data-face', shown);
+    const said = `${shown} ${text || ''}`;
+    if (this._said !== said) {
+      this._said = said;
+      this.node.setAttribute('aria-label', text || '');
+      this.node.setAttribute('data-face', shown);
+    }
     if (battery !== null) {
       this._level.setAttribute('fill', this._figure.charge.find(([above]) => battery > above || above === 0)[1]);
     }
@@ -136,11 +162,11 @@ export class Robot {
     }
   }
 
-  // One frame, and another one while something moves.
+  // Draw one frame, and request the next one while anything moves.
   _move(now) {
     const still = this._stillness.matches;
     const passed = Math.min(100, Math.max(0, now - this._before));
-    const part = still ? 1 : 1 - Math.exp(-passed / GLIDE_MS);
+    const part = still ? 1 : 1 - Math.exp(-passed / Math.max(1, this.glide));
     this._before = now;
     let moves = false;
     const glide = (from, to) => {
@@ -155,6 +181,7 @@ export class Robot {
     if (!still) {
       this._steps += (passed / 1000) * this._pace * STEPS_PER_M * (this._now.stride > 0 ? 1 : 0);
       moves ||= this._now.stride > 0 || now - this._since.beat < BEAT_MS || now - this._since.touch < FLINCH_MS;
+      moves ||= now - Math.max(this._since.nod, this._since.shake) < REPLY_MS;
     }
     this._draw(now);
     this._frame = moves ? requestAnimationFrame(later => this._move(later)) : null;
@@ -174,25 +201,37 @@ export class Robot {
     if (touched >= 0 && touched < 1 && !this._stillness.matches) {
       angles = between(angles, flinch, Math.sin(Math.PI * Math.sqrt(touched)));
     }
-    return angles.map((angle, at) => angle + (at === 0 ? look : at === 1 ? 0.12 * turn : 0));
+    const shaken = SHAKES * this._swing('shake', now, 3);
+    return angles.map((angle, at) => angle + (at === 0 ? look + shaken : at === 1 ? 0.12 * turn : 0));
+  }
+
+  // Swing back and forth around 0, `times` times, with decreasing amplitude. Return 0 afterward.
+  _swing(effect, now, times) {
+    const part = (now - this._since[effect]) / REPLY_MS;
+    return part >= 0 && part < 1 && !this._stillness.matches ? Math.sin(2 * Math.PI * times * part) * (1 - part) : 0;
   }
 
   _draw(now) {
     const {turns, touching, ground, size, sway, glance} = this._figure;
     const angles = this._angles(now);
+    const dip = DIP * Math.abs(this._swing('nod', now, 1));
     const matrices = new Map();
     this._chains.forEach((joints, name) => {
       const matrix = joints.reduce((before, joint) => {
         const [index, factor, x, y] = turns[joint];
-        return turned(before, factor * angles[index], x, y);
+        const [a, b, c, d, e, f] = turned(before, factor * angles[index], x, y);
+        return joint === 'neck' ? [a, b, c, d, e + c * dip, f + d * dip] : [a, b, c, d, e, f];
       }, [1, 0, 0, 1, 0, 0]);
       matrices.set(name, matrix);
     });
     const deep = ({joints, at, reach}) => applied(matrices.get(joints.join()), at)[1] + reach;
     const up = ground - Math.max(...touching.map(deep));
     const aside = sway * Math.sin(angles[1]);
-    const [middle, lean] = [size[0] / 2, (this._now.tilt * 180) / Math.PI];
-    this._body.setAttribute('transform', `rotate(${lean} ${middle} ${ground}) translate(${aside} ${up})`);
+    const {tilt} = this._now;
+    const [middle, lean] = [size[0] / 2, (tilt * 180) / Math.PI];
+    const beyond = Math.max(0, Math.abs(tilt) - UPRIGHT_TO) / (MOST_TILT - UPRIGHT_TO);
+    const slip = -Math.sign(tilt) * SLIPS * beyond;
+    this._body.setAttribute('transform', `translate(${slip} ${-LIES_HIGH * beyond}) rotate(${lean} ${middle} ${ground}) translate(${aside} ${up})`);
     const height = ([upper, lower], side) => {
       const outward = angles[upper] - side * angles[1];
       return -glance.arm[0] * Math.cos(outward) - glance.arm[1] * Math.cos(outward + angles[lower]);

@@ -1,30 +1,23 @@
-// A tour of one minute, in a card that covers nothing that it explains: shown once, on the first start, and again from
-// the Help menu and the home page. Plain JavaScript, loaded by JupyterLab as it is: no build step.
+// A one-minute tour in a card that doesn't cover the elements that it explains. It's shown once, next to the first
+// notebook, and again from the Help menu and the home page. Steps whose targets aren't on the page are left out.
+// JupyterLab loads this plain JavaScript directly, so there's no build step.
 (() => {
   const NAME = 'rclpy-workbook-tour';
   const COMMAND = 'workbook:tour';
   const STYLE = new URL('tour.css', document.currentScript.src).href;
   const FOLLOW_EVERY_MS = 300;
   const BUTTON = name => `.jp-NotebookPanel:not(.lm-mod-hidden) [data-jp-item-name="${name}"]`;
-  // Title, text, and what is framed meanwhile, as soon as it is there.
+  // Title, text, and selector of the element to frame as soon as it's on the page.
   const STEPS = [
-    ['Run a cell', 'Click into a gray cell and press Shift+Enter, or this button. A number in the brackets beside it says that the cell has run.', BUTTON('run')],
-    ['Stop a cell', 'A cell that runs on shows [*]. This button stops it; the notebook keeps what it knows.', BUTTON('interrupt')],
-    ['Restart', 'Nothing makes sense any more? This button starts Python again, and ends the robot programs of this notebook. Your text stays.', BUTTON('restart')],
+    ['Run a cell', 'Click into a gray cell and press Shift+Enter, or this button. A number in the brackets to its left shows that the cell has run.', BUTTON('run')],
+    ['Stop a cell', 'A cell that is still running shows [*]. This button stops it. All variables keep their values.', BUTTON('interrupt')],
+    ['Restart', 'Does nothing make sense anymore? This button restarts Python and ends all robot programs of this notebook. Your text stays.', BUTTON('restart')],
     ['A terminal', 'File > New > Terminal. Type “workbook topic list” there: it sees the robot of your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
-    ['The robot panel', 'This button shows the robot, its nodes and topics beside the notebook, and keeps them in sight while you read on.', BUTTON('robot-panel')],
-    ['Home', 'Help > Workbook Home shows what you have read, predicted and solved, and takes you back to where you were. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
+    ['The robot panel', 'This button shows the robot, its nodes, and its topics next to the notebook, and keeps them in view while you read on.', BUTTON('robot-panel')],
+    ['Home', 'Help > Workbook Home shows what you have read, predicted, and solved, and takes you back to where you were. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
   ];
+  const common = import(new URL('../../rclpy-workbook/static/common.js', document.currentScript.src));
   let shared = {};
-
-  // A module of JupyterLab itself, of which there is one version.
-  const moduleOf = async name => {
-    const [version] = Object.values(shared[name] || {});
-    if (!version) {
-      throw new Error(`${NAME}: this JupyterLab has no ${name}`);
-    }
-    return (await version.get())();
-  };
 
   const element = (tag, className, text = '') => {
     const made = document.createElement(tag);
@@ -33,13 +26,30 @@
     return made;
   };
 
+  const isThere = ([, , target]) => Boolean(document.querySelector(target)?.offsetWidth);
+
+  // Resolve when a notebook with its buttons is on the page.
+  const notebookIsThere = () =>
+    new Promise(resolve => {
+      const watch = new MutationObserver(() => look());
+      const look = () => {
+        if (isThere(STEPS[0])) {
+          watch.disconnect();
+          resolve();
+        }
+      };
+      watch.observe(document.body, {subtree: true, childList: true, attributes: true, attributeFilter: ['class']});
+      look();
+    });
+
   class Tour {
     constructor(takesFocus) {
+      this.steps = STEPS.filter(isThere);
       this.frame = element('div', 'wb-tour-frame');
       this.card = element('div', 'wb-tour');
       this.card.setAttribute('role', 'dialog');
       this.card.setAttribute('aria-label', 'One-minute tour');
-      // JupyterLab moves its buttons when it likes.
+      // Update the frame regularly, because JupyterLab may move its buttons at any time.
       this.timer = setInterval(() => this.showFrame(), FOLLOW_EVERY_MS);
       this.card.addEventListener('keydown', event => {
         event.stopPropagation();
@@ -53,8 +63,8 @@
 
     show(number, takesFocus = true) {
       this.number = number;
-      const [title, text] = STEPS[number];
-      const isLast = number === STEPS.length - 1;
+      const [title, text] = this.steps[number];
+      const isLast = number === this.steps.length - 1;
       const next = element('button', 'wb-tour-next', isLast ? 'Done' : 'Next');
       const back = element('button', 'wb-tour-back', 'Back');
       const skip = element('button', 'wb-tour-skip', 'Skip the tour');
@@ -64,7 +74,7 @@
       const buttons = element('div', 'wb-tour-buttons');
       buttons.append(...(isLast ? [] : [skip]), ...(number ? [back] : []), next);
       this.card.replaceChildren(
-        element('p', 'wb-tour-count', `${number + 1} of ${STEPS.length}`),
+        element('p', 'wb-tour-count', `${number + 1} of ${this.steps.length}`),
         element('h2', '', title),
         element('p', '', text),
         buttons
@@ -76,7 +86,7 @@
     }
 
     showFrame() {
-      const target = document.querySelector(STEPS[this.number][2]);
+      const target = document.querySelector(this.steps[this.number][2]);
       const {left, top, width, height} = target ? target.getBoundingClientRect() : {};
       this.frame.hidden = !width;
       Object.assign(this.frame.style, {left: `${left - 4}px`, top: `${top - 4}px`, width: `${width + 8}px`, height: `${height + 8}px`});
@@ -116,11 +126,12 @@
       const onceOnly = async () => {
         const reply = await ServerConnection.makeRequest(address, {}, settings);
         if (reply.ok && !(await reply.json()).seen) {
+          await notebookIsThere();
           await ServerConnection.makeRequest(address, {method: 'POST', body: '{}'}, settings);
           start(false);
         }
       };
-      // Not in a workspace of its own name: somebody opened that on purpose.
+      // No tour in a named workspace, because the reader has opened that on purpose.
       if (PageConfig.getOption('workspace') === 'default') {
         app.restored.then(onceOnly).catch(() => undefined);
       }
@@ -134,8 +145,7 @@
     },
     get: async () => {
       const names = ['apputils', 'mainmenu', 'services', 'coreutils'].map(name => `@jupyterlab/${name}`);
-      const modules = await Promise.all(names.map(moduleOf));
-      return () => ({__esModule: true, default: plugin(...modules)});
+      return (await common).pluginWith(shared, names, plugin);
     }
   };
 })();
