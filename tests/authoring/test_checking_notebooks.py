@@ -50,7 +50,7 @@ def test_the_command_says_so_and_fails_otherwise(course: Tree, capsys: pytest.Ca
     assert command.main(arguments) == 0
     said = capsys.readouterr().out
     assert said.startswith("1 lessons and 1 exercises: all match their texts.\n")
-    assert "lines are still those of a template: `make notebooks-check ARGS=--notes` lists them" in said
+    assert "lines still come from a template: `make notebooks-check ARGS=--notes` lists them" in said
     assert command.main([*arguments, "--notes"]) == 0
     assert "solutions/21_beeps.py:17: is still the template's text: Your humanoid" in capsys.readouterr().out
     (course.notebooks / "notes.txt").touch()
@@ -135,8 +135,8 @@ def unusual_number(notebook: Notebook) -> None:
         (not_run, "was not run from top to bottom"),
         (error_shown, "cell run-it-2 shows an error without the tag raises-exception"),
         (error_gone, "cell no-period is tagged raises-exception, but raised none"),
-        (picture_without_words, "cell run-it-2: its picture has no text/plain that says what it shows"),
-        (no_picture, "shows no picture"),
+        (picture_without_words, "cell run-it-2: its figure has no text/plain that says what it shows"),
+        (no_picture, "shows no figure"),
         (unusual_number, "cell run-it-2 shows a number that is unusual on this machine"),
     ],
 )
@@ -314,7 +314,7 @@ def lights(course: Tree) -> Path:
 
 def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> None:
     path = lights(course)
-    stale = "the **Before:**, **Deeper:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
+    stale = "the **Before:**, **Deeper:** and **Next:** lines don't match the neighboring lessons: run `make notebooks`"
     assert [words for words in told(course) if stale in words] == [
         f"notebooks/sources/21_beeps.py:185: {stale}",
         f"notebooks/sources/22_lights.py:185: {stale}",

@@ -31,7 +31,7 @@ DEEPER = """# %% [markdown]
 # - **Minutes:** 1
 # - **You need:** lesson [21](21_beeps.ipynb)
 # - **You will be able to:** say how long a beep is
-# - **Left out:** loudness
+# - **Not covered:** loudness
 
 # %% [markdown] prediction="long-beep"
 # ## Predict
@@ -169,11 +169,11 @@ def test_a_deeper_notebook_comes_after_its_lesson_and_leads_to_the_next(tmp_path
     assert write_links(tree) == []
 
 
-def test_a_deeper_notebook_is_listed_below_its_lesson(tmp_path: Path) -> None:
+def test_a_deeper_notebook_is_listed_with_its_lesson(tmp_path: Path) -> None:
     tree = course_with(tmp_path, at_21_beeps=LESSON, at_21_beeps_deeper=DEEPER)
     assert table(tree).splitlines()[2:] == [
-        "| 21 | [Beeps](notebooks/21_beeps.ipynb) | in the lesson, not graded |",
-        "| | [Deeper: the length of a beep](notebooks/21_beeps_deeper.ipynb) | |",
+        "| 21 | [Beeps](notebooks/21_beeps.ipynb) · [deeper](notebooks/21_beeps_deeper.ipynb) "
+        "| in the lesson, not graded |",
     ]
     assert list_page(tree).index("21_beeps.ipynb") < list_page(tree).index("21_beeps_deeper.ipynb")
 

@@ -16,6 +16,7 @@ from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.grading.judges import Job
 
+ROOT = Path(__file__).resolve().parents[2]
 STEM = "20_levels"
 SOLUTION = """
 # ---
@@ -233,6 +234,12 @@ def test_a_report_that_names_mutants_of_another_program_is_a_failure(tree: Tree)
     assert found and all("cannot be made any more" in one.words for one in found)
     lost = {one.id for one in report.survivors if any(one.id in violation.words for violation in found)}
     assert all(one.base == "solution" and "100.0" in one.before for one in report.survivors if one.id in lost)
+
+
+@pytest.mark.slow
+@pytest.mark.whole
+def test_the_reports_of_this_course_name_only_mutants_that_can_be_made() -> None:
+    assert not list(lost_mutants(Tree(ROOT)))
 
 
 def test_what_is_no_report_is_said(tree: Tree) -> None:

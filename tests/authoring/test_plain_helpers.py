@@ -3,13 +3,13 @@
 import pytest
 
 from workbook import lesson
-from workbook.authoring.plain_helpers import PLAIN, with_plain_helpers
+from workbook.authoring.plain_helpers import PLAIN, TITLE, with_plain_helpers
 from workbook.authoring.tree import AuthoringError
 
 
 def test_the_line_becomes_one_box_with_the_texts_in_order() -> None:
     made = with_plain_helpers("Before.\n\n[the same without helpers: init, run]\n\nAfter.", "lesson")
-    assert made.startswith("Before.\n\n<details><summary>The same without helpers</summary>\n\n`init()`")
+    assert made.startswith(f"Before.\n\n<details><summary>{TITLE}</summary>\n\n`init()`")
     assert made.endswith("```\n\n</details>\n\nAfter.") and made.count("<details>") == 1
     assert made.index(PLAIN["init"]) < made.index(PLAIN["run"])
 

@@ -75,7 +75,7 @@ WRONG = 'wrong = ["wrong_name", "wrong_type"]'
         (
             'id = "rate"',
             'id = "topic"',
-            "10: the id 'topic' is that of requirement 1 as well: give each its own",
+            "10: the id 'topic' is the id of requirement 1 as well: give each its own",
         ),
         (
             'wrong = ["no_timer", ',
@@ -200,7 +200,9 @@ def test_of_an_exercise_that_cannot_be_read_the_form_is_told(course: Tree) -> No
     change(course.criteria / f"{STEM}.py", "import workbook", "import nothing")
     change(table(course), 'id = "rate"', 'id = "topic"')
     change(table(course), '"wrong_name", ', "")
-    assert told(course) == [f"{NAME}:10: the id 'topic' is that of requirement 1 as well: give each its own"]
+    assert told(course) == [
+        f"{NAME}:10: the id 'topic' is the id of requirement 1 as well: give each its own"
+    ]
 
 
 def test_a_changed_task_asks_for_the_new_sentence(course: Tree) -> None:
@@ -227,7 +229,7 @@ def test_an_exception_that_is_none_is_told(course: Tree, monkeypatch: pytest.Mon
     name = "workbook/authoring/requirements.py"
     assert [str(one) for one in stale_exceptions(course, frozenset({"30_gone", STEM}))] == [
         f"{name}:3: WITHOUT_TABLE names 21_beeps, which has a table now: delete it here",
-        f"{name}:2: WITHOUT_TABLE names 30_gone, and there is no such exercise: delete it here",
+        f"{name}:2: WITHOUT_TABLE names 30_gone, but there is no such exercise: delete it here",
     ]
     assert sum(words.startswith(f"{name}:") for words in told(course)) == len(WITHOUT_TABLE)
     table(course).unlink()
@@ -297,7 +299,7 @@ def test_a_demand_that_no_requirement_quotes_is_told(course: Tree, sentence: str
 
 
 @pytest.mark.parametrize(
-    "sentence", ["**Not part of it:** you must not care.", "Mustard is yellow.", "Nothing else matters."]
+    "sentence", ["**Not judged:** you must not care.", "Mustard is yellow.", "Nothing else matters."]
 )
 def test_a_sentence_that_demands_nothing_needs_no_requirement(sentence: str) -> None:
     assert list(untied_demands(f"{TASK}\n{sentence}\n", [])) == []

@@ -4,6 +4,7 @@ import ast
 import csv
 import random
 import re
+import runpy
 import shlex
 import textwrap
 import tomllib
@@ -28,6 +29,8 @@ from workbook.exercise.judgement import judge_recording
 from workbook.grading.appeals import COLUMNS, read_lines
 
 STEM = "09_joint_positions"
+QUOTED = "02_nodes"
+"""The exercise whose criteria, and their words, docs/judge.md quotes."""
 JOINTS = "/robot/joint_positions"
 RECORDINGS = ROOT / "tests" / "recordings" / STEM
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -103,12 +106,25 @@ def test_python_is_python_and_what_it_calls_takes_it(name: str, text: str) -> No
     if re.search(r"^return ", code, re.MULTILINE):
         code = f"def block():\n{textwrap.indent(code, '    ')}\nfound = block()\n"
     known = {
+        **runpy.run_path(str(ROOT / "exercises" / "criteria" / f"{QUOTED}.py"), run_name="quoted"),
         "Float32": Float32, "Float32MultiArray": Float32MultiArray, "Image": Image, "Recording": Recording,
         "Trigger": Trigger, "Verdict": see.Verdict, "criterion": criterion, "probe": probe,
         "program_runs": program_runs, "recording": Recording.load(next(RECORDINGS.glob("*.json"))), "see": see,
         "random": random, "topic": topic, "watching": watching,
     }  # fmt: skip
     exec(compile(code, name, "exec"), known)
+
+
+@pytest.mark.parametrize(("language", "suffix"), [("python", ".py"), ("toml", ".toml")])
+def test_the_parts_of_an_exercise_are_quoted_as_they_are(language: str, suffix: str) -> None:
+    lines = (ROOT / "exercises" / "criteria" / f"{QUOTED}{suffix}").read_text(encoding="utf-8").splitlines()
+    quoted = [
+        text
+        for told, text in blocks("docs/judge.md")
+        if told == language and ("nobody" in text or "class Graph" in text)
+    ]
+    assert quoted
+    assert not [line for text in quoted for line in text.splitlines() if line and line not in lines]
 
 
 def test_the_criterion_of_the_manual_passes_one_answer_and_fails_another(

@@ -9,7 +9,7 @@ import workbook.criteria as see
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = (ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")))
-FOLDERS = ("workbook", "tests", "exercises", "lesson_nodes", "solutions", "notebooks")
+FOLDERS = ("workbook", "deploy", "tests", "exercises", "lesson_nodes", "solutions", "notebooks")
 FILES = {path.name for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")}
 EXAMPLES = re.compile(r"(?:NN_|\d\d_|my_|s1001|answer\b|mine\b)")
 

@@ -48,3 +48,15 @@ def test_a_release_needs_no_password_and_builds_without_the_right_to_publish() -
     assert jobs["publish"]["permissions"] == {"id-token": "write"}
     assert jobs["publish"]["environment"] == "release"
     assert any("pytest" in step.get("run", "") for step in jobs["build"]["steps"])
+
+
+def test_the_site_is_published_by_pinned_actions_and_only_from_main() -> None:
+    workflow = read(ROOT / ".github" / "workflows" / "site.yml")
+    build, publish = workflow["jobs"]["build"], workflow["jobs"]["publish"]
+    used = [step["uses"] for job in (build, publish) for step in job["steps"] if "uses" in step]
+    assert len(used) == 4
+    assert all(re.fullmatch(r"actions/[a-z-]+@[0-9a-f]{40}", one) for one in used)
+    assert build["steps"][-1]["with"]["path"] == "build/site"
+    assert workflow["permissions"] == {"contents": "read"} and "permissions" not in build
+    assert publish["permissions"] == {"pages": "write", "id-token": "write"}
+    assert publish["needs"] == "build" and "refs/heads/main" in publish["if"]

@@ -1,5 +1,6 @@
-"""From text to notebooks: builds, runs and checks lessons and exercises, and writes new ones from templates.
+"""Build, run, and check the notebooks of lessons and exercises, and create new ones from templates.
 
-For authors; needs the `dev` extra. Faces are `python -m workbook.authoring` and `workbook new`; tests also use `Tree`,
-`check`, `build`, `compare` and `read_wrong_answer` of the modules here. Nothing else in `workbook` imports it.
+This package is for authors and needs the `dev` extra. Its entry points are `python -m workbook.authoring` and
+`workbook new`. Tests also import `Tree`, `check`, `build`, `compare`, and `read_wrong_answer` from its modules. Nothing
+else in `workbook` imports it.
 """

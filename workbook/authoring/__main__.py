@@ -1,4 +1,4 @@
-"""`python -m workbook.authoring build|check|compare|dist|mutants|robot|typings`: what the Makefile runs for authors."""
+"""The command line for authors: `python -m workbook.authoring build|check|compare|...`, which the Makefile runs."""
 
 import argparse
 import sys
@@ -8,6 +8,7 @@ from pathlib import Path
 
 from workbook.authoring.building import build, select
 from workbook.authoring.checking import check
+from workbook.authoring.colab import PACKAGE, lessons_for_colab
 from workbook.authoring.comparing import compare
 from workbook.authoring.mutants.staleness import outdated_reports
 from workbook.authoring.skeleton import still_from_template
@@ -17,7 +18,7 @@ from workbook.exercise.course import course_folder
 
 
 def parser() -> argparse.ArgumentParser:
-    """The command line."""
+    """Create the command-line parser."""
     top = argparse.ArgumentParser(
         prog="python -m workbook.authoring", description="Lessons and exercises from text."
     )
@@ -30,34 +31,43 @@ def parser() -> argparse.ArgumentParser:
     building.add_argument(
         "--all", action="store_true", dest="again", help="run lessons that did not change, too"
     )
-    building.add_argument("--jobs", type=int, default=1, help="lessons that run at once")
+    building.add_argument("--jobs", type=int, default=1, help="lessons that run at the same time")
     checking = commands.add_parser(
         "check", help="fail when a notebook differs from its text, or a file is missing or misplaced"
     )
     checking.add_argument(
         "--notes",
         action="store_true",
-        help="also list what is still the text of a template, and reports that are out of date; that is no failure",
+        help="also list lines that a template wrote, and reports that are out of date; neither is a failure",
     )
     packing = commands.add_parser("dist", help="build the wheel for students")
     packing.add_argument("--out", type=Path, default=None, help="folder for it (default: dist/)")
-    commands.add_parser("typings", help="make the stubs of the message packages anew (workbook/typings)")
-    commands.add_parser(
-        "robot", help="record the robot and draw the picture of the README anew (docs/robot.png)"
+    colab = commands.add_parser("colab", help="write the lessons with a first cell that installs the course")
+    colab.add_argument("--out", type=Path, default=None, help="folder for them (default: build/colab)")
+    colab.add_argument(
+        "--package", default=PACKAGE, help="what pip installs: a name or an address of a wheel"
     )
+    site = commands.add_parser("site", help="write the site: every page of the course for a browser")
+    site.add_argument("--out", type=Path, default=None, help="folder for it (default: build/site)")
+    recording = commands.add_parser(
+        "record-site", help="run the programs that move the site's robots, and record them"
+    )
+    recording.add_argument("only", nargs="?", default="", help="a part of a recording's name; all if none")
+    commands.add_parser("typings", help="rebuild the message packages' type stubs (workbook/typings)")
+    commands.add_parser("robot", help="record the robot, and draw the README's figure again (docs/robot.png)")
     mutating = commands.add_parser("mutants", help="say which small faults of right programs get full marks")
     mutating.add_argument("--only", nargs="+", default=(), metavar="STEM", help="exercises; all if none")
     mutating.add_argument("--most", type=int, default=120, help="mutants that are judged for each exercise")
-    mutating.add_argument("--slots", type=int, default=None, help="programs that run at once")
+    mutating.add_argument("--slots", type=int, default=None, help="programs that run at the same time")
     comparing = commands.add_parser("compare", help="run notebooks under nbval and compare their outputs")
     comparing.add_argument("names", nargs="*", metavar="STEM", help="lessons and exercises; all if none")
-    comparing.add_argument("--jobs", type=int, default=1, help="notebooks that run at once")
+    comparing.add_argument("--jobs", type=int, default=1, help="notebooks that run at the same time")
     comparing.add_argument("--junit", type=Path, default=None, help="also write a JUnit report to this file")
     return top
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Exit code 0 when all is well, 1 when something is to be fixed."""
+    """Run one subcommand. Return the exit code: 0, or 1 if something failed or has to be fixed."""
     options = parser().parse_args(arguments)
     tree = Tree((options.course or course_folder()).resolve())
     try:
@@ -69,6 +79,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if options.command == "compare":
             extra = [f"--junitxml={options.junit.resolve()}"] if options.junit else []
             return compare(tree, options.names, jobs=options.jobs, extra=extra)
+        if options.command == "site":
+            from workbook.authoring.site import build_site
+
+            folder = options.out or tree.root / "build" / "site"
+            print(f"{build_site(tree, folder)} pages written to {folder}")
+            return 0
         if options.command == "mutants":
             from workbook.authoring.mutants.running import on_slots, report_mutants
 
@@ -85,6 +101,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"built      {wheel} ({wheel.stat().st_size / 1e6:.1f} MB)")
         print(f"SHA-256    {sha256(wheel.read_bytes()).hexdigest()}")
         return 0
+    if options.command == "colab":
+        lessons = lessons_for_colab(tree, options.out or tree.root / "build" / "colab", options.package)
+        print(f"{len(lessons)} lessons written to {lessons[0].parent}")
+        return 0
+    if options.command == "record-site":
+        from workbook.authoring.site.recordings import record_all
+
+        for recorded in record_all(tree, options.only):
+            print(f"recorded   {tree.name(recorded)}")
+        return 0
     if options.command == "typings":
         from workbook.authoring.typings import write
 
@@ -99,7 +125,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def run_check(tree: Tree, *, notes: bool) -> int:
-    """Print what breaks a rule; then, as notes, what is still the text of a template."""
+    """Print all violations, then notes on leftover template lines and outdated mutant reports. Return the exit code.
+
+    Notes don't affect the exit code. Without `notes`, print only how many template lines are left.
+    """
     found = check(tree)
     if found:
         print(report(found))
@@ -112,7 +141,7 @@ def run_check(tree: Tree, *, notes: bool) -> int:
         print(f"\nNotes: {len(left)} lines of a template are still to be replaced.\n{report(left)}")
     elif left:
         print(
-            f"{len(left)} lines are still those of a template: `make notebooks-check ARGS=--notes` lists them."
+            f"{len(left)} lines still come from a template: `make notebooks-check ARGS=--notes` lists them."
         )
     outdated = list(outdated_reports(tree)) if notes else []
     if outdated:

@@ -1,4 +1,4 @@
-"""Builds notebooks from their texts."""
+"""Build notebooks from their texts."""
 
 import time
 from collections.abc import Callable, Iterable
@@ -25,10 +25,10 @@ Say = Callable[[str], None]
 def build(
     tree: Tree, names: Iterable[str] = (), *, again: bool = False, jobs: int = 1, say: Say = print
 ) -> int:
-    """Build the named lessons and exercises, or all of them, and return how many failed.
+    """Build the named lessons and exercises, or all of them if there are no names. Return the number of failures.
 
-    A lesson is run again only if its code changed, or with `again`. Up to `jobs` lessons run at once. `say` gets a line
-    for each file, and for each failure the reason.
+    A lesson runs again only if its code has changed or `again` is true. Up to `jobs` lessons run in parallel. `say` is
+    called with one line per file, and with the reason for each failure.
     """
     lessons, exercises = select(tree, names)
     failed = 0
@@ -68,10 +68,9 @@ def build(
 
 
 def select(tree: Tree, names: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Lessons and exercises that fit the names (stem, slug, number or file); all when there are no names.
+    """Return the lessons and exercises that match the names (stem, slug, number, or file); without names, all of them.
 
-    Raises:
-        AuthoringError: a name fits nothing.
+    Raises AuthoringError if a name matches nothing.
     """
     lessons, exercises = list(tree.lesson_stems()), list(tree.exercise_stems())
     wanted = [Path(name).stem for name in names]
@@ -93,13 +92,16 @@ def _fits(stem: str, name: str) -> bool:
 
 
 def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
-    """Build one lesson and run it if its text, or a lesson node that it uses, has changed."""
+    """Build one lesson. Run it only if its code or a lesson node that it uses has changed, or if `again` is true.
+
+    Return a line that reports the result to the author.
+    """
     target = tree.notebooks / f"{stem}.ipynb"
     read = read_lesson(tree, stem)
     wanted = document.as_notebook(read)
     write_sealed(tree, stem, read.predictions)
     if not again and is_current(target, wanted):
-        return f"as it was  {tree.name(target)}"
+        return f"unchanged  {tree.name(target)}"
     if not again and carry_outputs(target, wanted):
         document.write(target, document.to_text(wanted))
         return f"new words  {tree.name(target)}"
@@ -111,7 +113,7 @@ def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
 
 
 def is_current(target: Path, wanted: document.Notebook) -> bool:
-    """Whether a built notebook belongs to this text and has been run."""
+    """Return whether the built notebook matches the `wanted` one and has been run completely."""
     if not target.is_file():
         return False
     try:
@@ -124,9 +126,9 @@ def is_current(target: Path, wanted: document.Notebook) -> bool:
 
 
 def carry_outputs(target: Path, wanted: document.Notebook) -> bool:
-    """Where only words between the code have changed: give the new notebook what the built one shows.
+    """Copy the built notebook's outputs to the new one if only the text between the code cells has changed.
 
-    Returns whether that could be done; otherwise the lesson has to run.
+    Return whether the outputs were copied. If they weren't, the lesson has to run.
     """
     try:
         built = document.read(target)
@@ -150,10 +152,13 @@ def carry_outputs(target: Path, wanted: document.Notebook) -> bool:
 
 
 def build_exercise(tree: Tree, stem: str) -> str:
-    """Build the notebook of one exercise, and the solved one. Neither is run here."""
+    """Build an exercise's notebook and its solved version without running either.
+
+    Return a line that reports the result to the author.
+    """
     exercise = read_exercise(tree, stem)
     target = tree.exercises / f"{stem}.ipynb"
     text = document.to_text(document.as_notebook(starter_document(tree, exercise)))
     written = document.write(target, text)
     document.write(tree.solved / f"{stem}.ipynb", document.to_text(solved_notebook(tree, exercise)))
-    return f"{'built     ' if written else 'as it was '} {tree.name(target)}"
+    return f"{'built     ' if written else 'unchanged '} {tree.name(target)}"

@@ -1,4 +1,4 @@
-"""Finds what is stale, misplaced, missing or against the rules, without running anything."""
+"""Find stale, misplaced, missing, or incorrect files without running anything."""
 
 from collections.abc import Iterator
 
@@ -14,7 +14,6 @@ from workbook.authoring.figure import check_figure
 from workbook.authoring.lesson import read_lesson
 from workbook.authoring.lesson_links import link_violations
 from workbook.authoring.letters import letter_violations
-from workbook.authoring.mutants.staleness import lost_mutants
 from workbook.authoring.output_rules import compared_enough, outputs_in_order
 from workbook.authoring.pages import check_pages
 from workbook.authoring.placement import misplaced
@@ -29,7 +28,7 @@ from workbook.exercise.source import DEEPER
 
 
 def check(tree: Tree) -> list[Violation]:
-    """All that is wrong with the lessons and exercises of a course. Empty when nothing is."""
+    """Return every violation in a course's lessons and exercises; an empty list if there are none."""
     found = list(misplaced(tree))
     for stem in tree.lesson_stems():
         found += check_lesson(tree, stem)
@@ -40,12 +39,11 @@ def check(tree: Tree) -> list[Violation]:
     found += check_figure(tree)
     found += foreign_sealed(tree)
     found += letter_violations(tree)
-    found += lost_mutants(tree)
     return found
 
 
 def check_lesson(tree: Tree, stem: str) -> Iterator[Violation]:
-    """One lesson: its shape, its notebook and what that shows."""
+    """Check one lesson's text, its built notebook, and the outputs in it."""
     path = tree.sources / f"{stem}.py"
     name = tree.name(path)
     try:
@@ -75,13 +73,13 @@ def _built_lesson(tree: Tree, stem: str, wanted: document.Document) -> Iterator[
     if target.is_file():
         try:
             built = document.read(target)
-        except ValueError:  # told above
+        except ValueError:  # `stale` has already reported it
             return
         yield from (Violation(tree.name(target), words) for words in outputs_in_order(built))
 
 
 def check_exercise(tree: Tree, stem: str) -> Iterator[Violation]:
-    """One exercise: its source, its criteria, its notebook, the answers that prove it, and its requirements."""
+    """Check one exercise: its source, criteria, notebook, requirements, and its right and wrong answers."""
     path = tree.solutions / f"{stem}.py"
     exercise = None
     try:

@@ -1,4 +1,4 @@
-"""Runs nbval over all notebooks in a scratch copy that looks like a student's folder."""
+"""Run nbval on the notebooks in a scratch folder that is laid out like a student's."""
 
 import os
 import subprocess
@@ -21,10 +21,10 @@ NBVAL = ("--nbval", "--nbval-current-env", f"--nbval-cell-timeout={CELL_TIMEOUT_
 
 
 def compare_run(tree: Tree, stem: str, ran: Path) -> int:
-    """Compare what a lesson showed when it was run elsewhere, as `compare` does. Returns pytest's exit code.
+    """Compare the outputs in `ran`, a notebook that was run elsewhere, as `compare` does. Return pytest's exit code.
 
     Raises:
-        AuthoringError: the notebook is not built.
+        AuthoringError: the notebook isn't built.
     """
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
@@ -34,12 +34,10 @@ def compare_run(tree: Tree, stem: str, ran: Path) -> int:
 
 
 def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequence[str] = ()) -> int:
-    """Run the named notebooks, or all, and compare what they show with what is committed.
+    """Run the named notebooks, or all, and compare their outputs with the committed ones.
 
-    `extra` goes to pytest. Returns its exit code.
-
-    Raises:
-        AuthoringError: a notebook is not built, or an exercise cannot be.
+    Pass the arguments in `extra` to pytest, and return pytest's exit code. Raises AuthoringError if a lesson isn't
+    built, or if an exercise can't be built.
     """
     lessons, exercises = building.select(tree, names)
     return compare_stems(tree, lessons, exercises, jobs=jobs, extra=extra)
@@ -53,13 +51,10 @@ def compare_stems(
     jobs: int = 1,
     extra: Sequence[str] = (),
 ) -> int:
-    """Run these lessons and exercises, and compare as `compare` does.
+    """Run these lessons and exercises, and compare their outputs as `compare` does.
 
-    Lessons run as they are, exercises as a student goes through them: with the starter, and then, in the same
-    kernel, with the solution put in.
-
-    Raises:
-        AuthoringError: a notebook is not built, or an exercise cannot be.
+    Lessons run unchanged. Exercises run the way a student works: first with the starter and then, in the same kernel,
+    with the solution. Raises AuthoringError if a lesson isn't built, or if an exercise can't be built.
     """
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
@@ -82,7 +77,7 @@ def _nbval(
     options: Iterable[str] = (),
     environment: Mapping[str, str] = MappingProxyType({}),
 ) -> int:
-    """Run nbval over the notebooks below `top`. Returns pytest's exit code."""
+    """Run nbval on the notebooks below `top`. Return pytest's exit code."""
     (top / "pytest.ini").write_text(
         "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
     )
@@ -92,7 +87,7 @@ def _nbval(
     environ = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST_")}
     environ[FOLDER] = str(tree.sealed)
     environ["IPYTHONDIR"] = str(top / "ipython")
-    environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # what else is installed takes a third of the start
+    environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # loading other plugins takes a third of the startup time
     command += ["-q", *NBVAL, *options, "."]
     return subprocess.run(command, cwd=top, env={**environ, **environment}, check=False).returncode
 
@@ -105,7 +100,7 @@ def _read(path: Path) -> nbformat.NotebookNode:
 
 
 def _one_after_the_other(starter: Path, solved: Path) -> nbformat.NotebookNode:
-    """Both in one notebook: to start a kernel and all that judges in it takes as long as to judge."""
+    """Join two notebooks, because starting another kernel and judge would take as long as the judging itself."""
     first, second = _read(starter), _read(solved)
     for cell in second.cells:
         cell.id = f"solved-{cell.id}"

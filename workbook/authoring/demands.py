@@ -1,17 +1,17 @@
-"""Finds demands of a task that its table of requirements leaves out, by the words of commands and prohibitions."""
+"""Find demands that a task makes but its requirements table omits. Words such as *must* and *only* mark a demand."""
 
 import re
 from collections.abc import Iterable, Iterator
 
 from workbook.authoring.task_text import folded, sentences
 
-NOT_PART = "Not part of it"
-"""The paragraph that begins so lists what is not judged."""
+NOT_PART = "Not judged"
+"""The paragraph that lists the unjudged parts begins with these words."""
 _DEMAND = re.compile(r"\b(must(n't)?|may not|do not|don't|can't|cannot|only)\b", re.IGNORECASE)
 
 
 def untied_demands(task: str, quotes: Iterable[str]) -> Iterator[tuple[str, str]]:
-    """Sentences of a task that command or forbid, and that no quotation ties to a requirement, each with the word."""
+    """Yield each sentence that demands or forbids something but isn't in `quotes`, with the word that marks it."""
     known = [folded(quote) for quote in quotes]
     for sentence in sentences(task):
         found = _DEMAND.search(sentence.replace("’", "'"))

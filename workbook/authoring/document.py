@@ -1,4 +1,4 @@
-"""A notebook before it is run: cells with fixed ids, and the least metadata that Jupyter wants."""
+"""Notebooks before they run: cells with fixed ids, and the minimal metadata that Jupyter requires."""
 
 import re
 from collections import Counter
@@ -31,21 +31,21 @@ Notebook = nbformat.NotebookNode
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell without outputs. An empty id means: give it one by its place."""
+    """A cell without outputs. If the id is empty, `with_ids` derives one from the cell's position."""
 
     kind: Kind
     source: str
     id: str = ""
     tags: tuple[str, ...] = ()
     line: int = field(default=0, compare=False)
-    """Where it begins in its text, from 1; 0 when it has none."""
+    """The cell's first line in the text, counted from 1; 0 if the cell doesn't come from a text."""
 
 
 @dataclass(frozen=True)
 class Document:
-    """All that the text of a notebook determines. `workbook` is our part of the notebook's metadata.
+    """Everything that a notebook's text determines. `workbook` is our part of the notebook's metadata.
 
-    `predictions` is what the text tells of them and the notebook does not.
+    `predictions` contains the answers and explanations, which are in the text but not in the notebook.
     """
 
     cells: tuple[Cell, ...]
@@ -54,7 +54,7 @@ class Document:
 
 
 def heading_of(cell: Cell) -> str | None:
-    """The text of the `## ` heading that a markdown cell begins with, if it does."""
+    """Return the text of the `## ` heading at the beginning of a Markdown cell; None if there is none."""
     if cell.kind != "markdown":
         return None
     found = _HEADING.fullmatch(cell.source.split("\n", 1)[0])
@@ -62,9 +62,9 @@ def heading_of(cell: Cell) -> str | None:
 
 
 def with_ids(cells: Sequence[Cell]) -> tuple[Cell, ...]:
-    """Name each cell without an id after its section and its place in it: `run-it-2`.
+    """Give each cell without an id one made of its section and its position in that section, such as `run-it-2`.
 
-    So a new cell changes the ids of its own section only. Raises ValueError for an unusable or repeated id.
+    With such ids, adding a cell changes only the ids in its section. Raises ValueError for an invalid or repeated id.
     """
     named: list[Cell] = []
     section = OPENING
@@ -80,12 +80,12 @@ def with_ids(cells: Sequence[Cell]) -> tuple[Cell, ...]:
             raise ValueError(f"the cell id {cell.id!r} may have letters, digits, - and _ only, at most 64")
     twice = [name for name, times in Counter(cell.id for cell in named).items() if times > 1]
     if twice:
-        raise ValueError(f"the cell id {twice[0]!r} is used twice: give one of the cells an id of its own")
+        raise ValueError(f"the cell id {twice[0]!r} is used twice: give one of the cells another id")
     return tuple(named)
 
 
 def as_notebook(document: Document) -> Notebook:
-    """The notebook, not run."""
+    """Return the document as a notebook without outputs."""
     cells = []
     for cell in document.cells:
         extra = {"tags": list(cell.tags)} if cell.tags else {}
@@ -101,13 +101,13 @@ def as_notebook(document: Document) -> Notebook:
 
 
 def to_text(notebook: Notebook) -> str:
-    """The notebook as the text of its file, always the same for the same content."""
+    """Serialize a notebook. The same content always gives the same text."""
     nbformat.validate(notebook)
     return str(nbformat.writes(notebook, version=4)).rstrip("\n") + "\n"
 
 
 def read(path: Path) -> Notebook:
-    """Read a notebook file. Raises ValueError when it is none."""
+    """Read a notebook file. Raises ValueError if the file isn't a notebook."""
     try:
         notebook: Notebook = nbformat.read(path, as_version=4)
     except Exception as error:
@@ -116,7 +116,7 @@ def read(path: Path) -> Notebook:
 
 
 def without_outputs(notebook: Notebook) -> Notebook:
-    """A copy with nothing in it that comes from running."""
+    """Return a copy without outputs and execution counts."""
     bare: Notebook = nbformat.reads(nbformat.writes(notebook, version=4), as_version=4)
     for cell in bare.cells:
         if cell.cell_type == "code":
@@ -125,7 +125,7 @@ def without_outputs(notebook: Notebook) -> Notebook:
 
 
 def write(path: Path, text: str) -> bool:
-    """Write the file unless it already holds this text. Returns whether it was written."""
+    """Write the text to the file unless it's already there. Return whether the file was written."""
     if path.is_file() and path.read_text(encoding="utf-8") == text:
         return False
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Makes the notebook of an exercise from its source, with the starter or with the solution in it."""
+"""Generate an exercise's notebook from its source, with either the starter or the solution in it."""
 
 from dataclasses import replace
 from typing import Any
@@ -9,7 +9,7 @@ from workbook.authoring.document import Cell, Document, as_notebook, with_ids
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise.answers import ANSWER_MAGIC
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
-from workbook.exercise.source import ExerciseSource, SourceError
+from workbook.exercise.source import ExerciseSource, SourceError, partner_of
 from workbook.feedback.wording import points
 
 ANSWER_ID = "your-program"
@@ -20,7 +20,7 @@ def read_exercise(tree: Tree, stem: str) -> Exercise:
     """Load an exercise with its criteria.
 
     Raises:
-        AuthoringError: its source or its criteria cannot be used.
+        AuthoringError: the source or the criteria are invalid.
     """
     try:
         exercise = load_exercise(stem, tree.root)
@@ -31,14 +31,14 @@ def read_exercise(tree: Tree, stem: str) -> Exercise:
 
 
 def starter_document(tree: Tree, exercise: Exercise) -> Document:
-    """The notebook that a student gets."""
+    """Return the notebook that students get, with the starter in the answer cell."""
     return _document(tree, exercise, exercise.source.starter_code)
 
 
 def solved_notebook(tree: Tree, exercise: Exercise) -> nbformat.NotebookNode:
-    """The notebook with the solution as the answer, and full marks as what `%check` must say.
+    """Return the notebook with the solution as the answer, and full marks as the expected output of `%check`.
 
-    Only the check cell counts as run: nbval runs all cells and compares this one.
+    Only the check cell is marked as executed, because nbval compares only executed cells, although it runs all of them.
     """
     document = _document(tree, exercise, exercise.source.solution_code)
     notebook = as_notebook(replace(document, workbook=document.workbook | {"compare": "text"}))
@@ -52,7 +52,7 @@ def solved_notebook(tree: Tree, exercise: Exercise) -> nbformat.NotebookNode:
 
 
 def full_marks_line(max_points: float) -> str:
-    """The text form of `%check` when every criterion passes."""
+    """Return the text that `%check` prints when every criterion passes."""
     return f"Full marks: {points(max_points)} of {points(max_points)} points."
 
 
@@ -63,7 +63,7 @@ def _document(tree: Tree, exercise: Exercise, program: str) -> Document:
         Cell("markdown", _practice(source), "practice"),
         Cell("markdown", _your_program(source), "your-program-text"),
         Cell("code", f"{ANSWER_MAGIC} {source.stem}\n{program.rstrip()}", ANSWER_ID),
-        Cell("markdown", _WATCH, "watch-text"),
+        Cell("markdown", _watch(source), "watch-text"),
         Cell("code", source.live, "watch"),
         Cell("code", "%stop", "stop"),
         Cell("markdown", _CHECK, "check-text"),
@@ -90,23 +90,33 @@ def _practice(source: ExerciseSource) -> str:
 def _your_program(source: ExerciseSource) -> str:
     return (
         "## Your program\n\n"
-        "Change the cell below and run it (Shift+Enter). It does not run here: it is saved as "
-        f"`answers/{source.stem}.py`, with the version before it kept beside it. Keep its first line; with "
-        "` --check` at its end, running the cell also checks it."
+        "Change the cell below, and run it with Shift+Enter. That doesn't start your program: it saves the program as "
+        f"`answers/{source.stem}.py`, with a backup of the previous version in the same folder. Keep the cell's first "
+        "line. If you add ` --check` to the end of that line, running the cell also checks your program."
     )
 
 
-_WATCH = (
-    "## Watch it run\n\n`%start` runs your program as its own process, on the ROS domain of this notebook. "
-    "`%stop` ends it."
-)
+def _watch(source: ExerciseSource) -> str:
+    shows = "Below the cell and in the panel, a robot acts out the messages that your program publishes."
+    if partner_of(source.path) is not None:
+        shows = (
+            "`%start` also runs the rest of the robot, so that your node has other nodes to communicate with. "
+            "Below the cell and in the panel, a robot acts out the messages that all these nodes publish."
+        )
+    return (
+        "## Watch it run\n\n`%start` runs your program in its own process, in this notebook's ROS domain. "
+        f"{shows} `%stop` ends the program."
+    )
+
+
 _CHECK = (
-    "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to fix. "
-    "In JupyterLab it uses the text that is on the screen, even if you have not run the cell."
+    "## Check it\n\nCheck your program as often as you like. You'll see what it did, and what to fix first. "
+    "In JupyterLab, the check uses the cell's current text, even if you haven't run the cell."
 )
-_HINTS = "## Stuck?\n\nThree hints, one at a time: run the cell again for the next."
+_HINTS = "## Stuck?\n\nThere are three hints. Each time you run the cell below, it shows the next one."
 _SOLUTION = (
-    "## The solution\n\nOpens after your program passes, or after some tries. It also shows other good ways."
+    "## The solution\n\nYou can see the solution once your program has passed, or after several tries. "
+    "The cell also shows other good ways to solve the exercise."
 )
 
 

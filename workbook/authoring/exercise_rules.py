@@ -1,4 +1,4 @@
-"""Rules on an exercise: what its story tells, how its points are spread, and which answers prove it."""
+"""Rules for exercises: the facts that the story must state, the points, and the answers that test the judge."""
 
 import re
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ from workbook.feedback.wording import points
 
 ALL_POINTS = 10.0
 FEWEST_CRITERIA = 4
-"""That earn points: a student should see how far it is, and where."""
+"""Criteria that earn points. With several, students can see how far they've come and what is missing."""
 FEWEST_RIGHT = 3
 FEWEST_WRONG = 5
 _TABLE_ROW = r"\| *(\d+(?:\.\d+)?) *\|"
@@ -22,7 +22,7 @@ _IN_FILE = re.compile(r"(?P<file>[^:\s]+\.py): (?P<words>.*)", re.DOTALL)
 
 
 def from_error(tree: Tree, error: AuthoringError, where: Path) -> Violation:
-    """What an error says, at the file and line that it begins with; otherwise in the file `where`."""
+    """Convert an error into a violation at the file and line that its message begins with; by default, in `where`."""
     text = str(error).replace(f"{tree.root}/", "")
     if found := _AT_LINE.fullmatch(text):
         return Violation(found["file"], found["words"], int(found["line"]))
@@ -32,7 +32,7 @@ def from_error(tree: Tree, error: AuthoringError, where: Path) -> Violation:
 
 
 def story_violations(tree: Tree, exercise: Exercise) -> Iterator[Violation]:
-    """What the story must say because header and criteria do."""
+    """Check that the story states the title, minutes, difficulty, and points that the header and criteria define."""
     source = exercise.source
     story = "\n".join(source.story)
     text = exercise.solution_path.read_text(encoding="utf-8")
@@ -55,13 +55,13 @@ def story_violations(tree: Tree, exercise: Exercise) -> Iterator[Violation]:
     if abs(told - shown) > 1e-9:
         yield at(
             rf"^# {_TABLE_ROW}",
-            "the table of points must have rows '| 2 | what is judged |' that add up to "
+            "the table of points must have rows '| 2 | the criterion |' that add up to "
             f"{points(shown)}, not {points(told)}",
         )
 
 
 def points_violations(tree: Tree, exercise: Exercise) -> Iterator[Violation]:
-    """Ten points in all, over at least four criteria."""
+    """Check that the points add up to ten, and that at least four criteria earn points."""
     path = tree.criteria / f"{exercise.stem}.py"
     line = line_of(path.read_text(encoding="utf-8"), r"^@criterion\(")
     if exercise.max_points != ALL_POINTS:
@@ -69,14 +69,14 @@ def points_violations(tree: Tree, exercise: Exercise) -> Iterator[Violation]:
         yield Violation(tree.name(path), words, line)
     earning = sum(one.points > 0 for one in exercise.criteria)
     if earning < FEWEST_CRITERIA:
-        words = f"{earning} criteria earn points, but at least {FEWEST_CRITERIA} must: split what is judged together"
+        words = f"{earning} criteria earn points, but at least {FEWEST_CRITERIA} must: split a criterion"
         yield Violation(tree.name(path), words, line)
 
 
 def answer_violations(tree: Tree, stem: str, exercise: Exercise | None) -> Iterator[Violation]:
-    """The right and wrong answers: enough of them, and each wrong one says what it must lose.
+    """Check that there are enough right and wrong answers, and that wrong answers name only existing criteria.
 
-    What they lose is compared with the criteria, unless there is no exercise to read these from.
+    If the exercise couldn't be read (`exercise` is None), skip the check of the names.
     """
     for folder, fewest, kind in (
         (tree.right_answers / stem, FEWEST_RIGHT, "right"),

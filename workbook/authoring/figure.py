@@ -1,4 +1,4 @@
-"""The robot that pages move: workbook/lab/front_end/panel/figure.json, generated from the drawing in Python."""
+"""Generate workbook/lab/front_end/panel/figure.json, the robot that web pages animate, from the drawing in Python."""
 
 from collections.abc import Iterator
 
@@ -10,7 +10,7 @@ FILE = "workbook/lab/front_end/panel/figure.json"
 
 
 def write_figure(tree: Tree) -> bool:
-    """Write the file where the course has a front end of its own. Returns whether it has changed."""
+    """Update the file if the course has its own front end. Return whether the file has changed."""
     path = tree.root / FILE
     text = description()
     if not path.parent.is_dir() or (path.is_file() and path.read_text(encoding="utf-8") == text):
@@ -20,7 +20,7 @@ def write_figure(tree: Tree) -> bool:
 
 
 def check_figure(tree: Tree) -> Iterator[Violation]:
-    """The file is there and is what the drawing gives."""
+    """Yield a violation if the file is missing or differs from the drawing in Python."""
     path = tree.root / FILE
     if path.parent.is_dir() and (not path.is_file() or path.read_text(encoding="utf-8") != description()):
         yield Violation(FILE, "differs from the robot that Python draws: run `make notebooks`")

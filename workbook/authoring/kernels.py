@@ -1,7 +1,7 @@
-"""A kernel that only its starter talks to, over Unix sockets.
+"""Start a kernel over Unix sockets, so that only its starter can connect.
 
-Over TCP, Jupyter chooses five free ports, and the kernel opens them a second later; on a busy machine somebody else has
-taken one of them now and then, and the kernel dies with "Address already in use".
+Over TCP, Jupyter chooses five free ports, which the kernel opens a second later. On a busy machine, another process
+sometimes takes one of them first, and the kernel dies with "Address already in use".
 """
 
 import shutil
@@ -13,7 +13,7 @@ from traitlets import default
 
 
 class PrivateKernelManager(KernelManager):
-    """As its base. The sockets lie in a folder that goes when the kernel is shut down."""
+    """A kernel manager with Unix sockets, in a folder that is deleted when the kernel shuts down."""
 
     @default("transport")
     def _over_unix_sockets(self) -> str:
@@ -21,11 +21,11 @@ class PrivateKernelManager(KernelManager):
 
     @default("ip")
     def _in_a_folder_of_their_own(self) -> str:
-        # Short: 107 characters are all that the address of a socket may have.
+        # The path has to be short, because a socket's address is limited to 107 characters.
         return str(Path(tempfile.mkdtemp(prefix="kernel-"), "socket"))
 
     def cleanup_connection_file(self) -> None:
-        """Remove the connection file, and the folder that holds the kernel's sockets."""
+        """Remove the connection file and the folder with the kernel's sockets."""
         super().cleanup_connection_file()
         if self.trait_has_value("ip"):
             shutil.rmtree(Path(self.ip).parent, ignore_errors=True)

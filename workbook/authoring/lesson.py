@@ -1,4 +1,4 @@
-"""Reads the text of a lesson, `notebooks/sources/NN_slug.py`: a jupytext percent script."""
+"""Read a lesson's text, `notebooks/sources/NN_slug.py`, which is a jupytext percent script."""
 
 import hashlib
 import re
@@ -16,16 +16,15 @@ from workbook.lesson.prediction import Prediction
 from workbook.lesson.sealed_predictions import seal
 
 FORMAT = "1"
-"""Changes when the builder gives other outputs for the same text: then every lesson is run again."""
+"""Increase this number when the builder's outputs change for the same text. Then every lesson runs again."""
 TAGS = ("raises-exception", "nbval-ignore-output")
 _NODE = re.compile(r"\blesson_nodes(?:[./]|\s+import\s+\(?\s*)(?P<names>[a-z_][\w, \n]*)")
 
 
 def read_lesson(tree: Tree, stem: str) -> Document:
-    """The notebook that the text of a lesson stands for.
+    """Return the notebook that a lesson's text describes.
 
-    Raises:
-        AuthoringError: the text uses something that lessons do not have.
+    Raises AuthoringError if the text uses something that lessons don't have.
     """
     path = tree.sources / f"{stem}.py"
     text = path.read_text(encoding="utf-8")
@@ -60,7 +59,10 @@ def read_lesson(tree: Tree, stem: str) -> Document:
 
 
 def _refuse_unknown(kind: str, source: str, metadata: dict[str, object], tags: list[str], where: str) -> None:
-    """Raise AuthoringError for a cell that no lesson has. `metadata`: what is left of it after the known names."""
+    """Raise AuthoringError for an empty cell, or for an unknown kind, tag, or metadata field.
+
+    `metadata` contains the fields that remain after removing the known ones.
+    """
     if kind not in ("markdown", "code"):
         raise AuthoringError(f"{where}: a lesson has markdown and code cells, not {kind} cells")
     if metadata:
@@ -75,7 +77,7 @@ def _refuse_unknown(kind: str, source: str, metadata: dict[str, object], tags: l
 
 
 def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
-    """The modules of lesson_nodes that this text names, and those that they name."""
+    """Return the lesson_nodes modules that the text names, directly or through other such modules."""
     found: set[Path] = set()
     waiting = [text]
     while waiting:
@@ -89,7 +91,10 @@ def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
 
 
 def source_sha256(tree: Tree, text: str, cells: Sequence[Cell], predictions: Sequence[Prediction]) -> str:
-    """One hash over all that a lesson runs or reveals: code, lesson nodes, predictions. Other words are not in it."""
+    """Return a hash of everything that a lesson runs or reveals: its code, its lesson nodes, and its predictions.
+
+    The rest of the text doesn't affect the hash.
+    """
     code = "\n".join(f"{cell.id}\n{cell.source}" for cell in cells if cell.kind == "code")
     total = hashlib.sha256(f"{FORMAT}\n{code}".encode())
     for path in inputs(tree, text):

@@ -1,4 +1,4 @@
-"""The links from a lesson to its neighbors: its `**Before:**`, `**Deeper:**` and `**Next:**` lines, kept right."""
+"""Keep a lesson's links to its neighbors up to date: its `**Before:**`, `**Deeper:**`, and `**Next:**` lines."""
 
 import re
 from collections.abc import Iterator
@@ -18,11 +18,11 @@ _YOU_NEED = re.compile(r"^# - \*\*You need:\*\*")
 
 @dataclass(frozen=True)
 class Neighbor:
-    """The lesson before or after another one."""
+    """A lesson that another lesson links to: the previous one, the next one, or the deeper notebook."""
 
     stem: str
     title: str
-    """With its number, such as "05 · Timers"."""
+    """The title with the lesson's number, such as "05 · Timers"."""
 
     @property
     def link(self) -> str:
@@ -31,7 +31,7 @@ class Neighbor:
 
 
 def title_of(tree: Tree, stem: str) -> str:
-    """The title of a lesson, such as "05 · Timers"."""
+    """Return a lesson's title, such as "05 · Timers"; the stem if the text has no title."""
     for line in (tree.sources / f"{stem}.py").read_text(encoding="utf-8").splitlines():
         if line.startswith("# # "):
             return line[4:].strip()
@@ -39,12 +39,15 @@ def title_of(tree: Tree, stem: str) -> str:
 
 
 def lesson_link(tree: Tree, stem: str) -> str:
-    """A link to a lesson, for a page in the folder of the notebooks."""
+    """Return a Markdown link to a lesson, for a page in the notebooks folder."""
     return Neighbor(stem, title_of(tree, stem)).link
 
 
 def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
-    """The lessons before and after this one. A deeper notebook comes after its lesson, and leads to the next one."""
+    """Return the main lessons before and after a lesson, with None for a missing one.
+
+    A deeper notebook comes right after its lesson, and links on to the next main lesson.
+    """
     stems = tree.main_stems()
     before = [other for other in stems if other < stem][-1:]
     after = [other for other in stems if other > stem][:1]
@@ -56,12 +59,12 @@ def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
 
 
 def linked(text: str, before: Neighbor | None, after: Neighbor | None, deeper: Neighbor | None = None) -> str:
-    """The text of a lesson with the right links. What the author wrote around the links onward stays."""
+    """Return the lesson's text with correct links. Words that the author wrote around a correct link are kept."""
     text = _BEFORE.sub("", text)
     optional = _DEEPER.search(text)
     text = _DEEPER.sub("", text)
     found = _NEXT.search(text)
-    if found is None:  # the shape of a lesson demands the line; there is nothing to put right
+    if found is None:  # `shape_violations` reports the missing line
         return text
     lines = f"# **Before:** {before.link}\n#\n" if before else ""
     if deeper is not None:
@@ -84,7 +87,7 @@ def _links_put_right(tree: Tree, stem: str, text: str) -> str:
 
 
 def write_links(tree: Tree) -> list[str]:
-    """Put the links of all lessons right. Returns the stems whose text changed."""
+    """Correct the links in all lessons. Return the stems of the lessons that changed."""
     changed = []
     for stem in tree.lesson_stems():
         path = tree.sources / f"{stem}.py"
@@ -97,7 +100,7 @@ def write_links(tree: Tree) -> list[str]:
 
 
 def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str]]:
-    """Links to neighbors that are out of date, and lessons under "You need" that do not come earlier (line, words)."""
+    """Yield a line number and a message for outdated links and for malformed or forward links under "You need"."""
     right = _links_put_right(tree, stem, text)
     if right != text:
         given, wanted = text.splitlines(), right.splitlines()
@@ -105,7 +108,8 @@ def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str
         line = next((number for number, (one, other) in pairs if one != other), len(given))
         yield (
             line,
-            "the **Before:**, **Deeper:** and **Next:** lines are not those of the neighbors: run `make notebooks`",
+            "the **Before:**, **Deeper:** and **Next:** lines don't match the neighboring lessons: "
+            "run `make notebooks`",
         )
     for number, words in enumerate(text.splitlines(), start=1):
         if not _YOU_NEED.search(words):

@@ -1,4 +1,4 @@
-"""Lists of the lessons: the page beside the notebooks, and the table in the README."""
+"""Generate the lists of lessons: the page next to the notebooks, and the table in the README."""
 
 import json
 import re
@@ -18,7 +18,7 @@ _MINUTES = re.compile(r"\*\*Minutes:\*\* (\d+)")
 
 
 def list_page(tree: Tree) -> str:
-    """The lessons in order: minutes, exercise, and how long the cells of a lesson run."""
+    """Return the page that lists each lesson's reading time (min), cell run time (s), and exercise."""
     times = run_times(tree)
     lines = [
         "# The lessons",
@@ -43,17 +43,17 @@ def list_page(tree: Tree) -> str:
 
 
 def table(tree: Tree) -> str:
-    """The table of the README: every lesson with its exercise; below it, what is planned."""
+    """Return the README's table of lessons and their exercises. The planned lessons are listed below the table."""
     exercises = _exercises(tree)
     lines = ["| | lesson | exercise |", "|---|---|---|"]
     for stem in tree.main_stems():
         title = title_of(tree, stem).partition(" · ")[2]
         own = [exercise for exercise in exercises.values() if exercise.stem[:2] == stem[:2]]
         link = f"[{own[0].title}](exercises/{own[0].stem}.ipynb)" if own else "in the lesson, not graded"
-        lines.append(f"| {stem[:2]} | [{title}](notebooks/{stem}.ipynb) | {link} |")
+        lesson = f"[{title}](notebooks/{stem}.ipynb)"
         if deeper := tree.deeper_stem(stem):
-            title = title_of(tree, deeper).partition(" · ")[2]
-            lines.append(f"| | [{title}](notebooks/{deeper}.ipynb) | |")
+            lesson += f" · [deeper](notebooks/{deeper}.ipynb)"
+        lines.append(f"| {stem[:2]} | {lesson} | {link} |")
     titles = [f"*{title}*" for title in planned(tree).values()]
     if titles:
         lines += ["", f"Planned: {', '.join(titles)}."]
@@ -61,7 +61,7 @@ def table(tree: Tree) -> str:
 
 
 def planned(tree: Tree) -> dict[str, str]:
-    """Titles of lessons that are still to be written, by number. One that has a text counts as written."""
+    """Return the titles of planned lessons, keyed by number. A lesson that has a text is no longer planned."""
     path = tree.sources / PLANNED
     if not path.is_file():
         return {}
@@ -73,13 +73,13 @@ def planned(tree: Tree) -> dict[str, str]:
 def _exercises(tree: Tree) -> dict[str, ExerciseSource]:
     found = {}
     for stem in tree.exercise_stems():
-        with suppress(SourceError):  # told when the exercise itself is built
+        with suppress(SourceError):  # building the exercise reports it
             found[stem] = load(tree.solutions / f"{stem}.py")
     return found
 
 
 def run_times(tree: Tree) -> dict[str, int]:
-    """How long the cells of each lesson ran when it was last measured, in s."""
+    """Return the last measured run time (s) of each lesson's cells, keyed by stem."""
     path = tree.sources / RUN_TIMES
     if not path.is_file():
         return {}
@@ -88,9 +88,9 @@ def run_times(tree: Tree) -> dict[str, int]:
 
 
 def note_run_times(tree: Tree, measured: dict[str, float]) -> None:
-    """Keep measured times (s), rounded to five seconds: the next run will not be the same to the second.
+    """Store measured run times (s), rounded to five seconds so that ordinary variation doesn't change the file.
 
-    Lessons are built side by side, so several may want to write at once.
+    A lock protects the file, because lessons are built in parallel.
     """
     rounded = {stem: max(5, 5 * round(seconds / 5)) for stem, seconds in measured.items()}
     with _WRITING:

@@ -1,4 +1,4 @@
-"""How often each letter is the right one: whoever guesses the same letter throughout must not do well."""
+"""Check that the correct options' letters are balanced, so that always guessing the same letter doesn't pay off."""
 
 import re
 from collections import Counter
@@ -11,12 +11,12 @@ from workbook.authoring.violations import Violation
 LARGEST_SHARE_IN_COURSE = 0.4
 LARGEST_SHARE_IN_LESSON = 0.6
 FEWEST_IN_COURSE, FEWEST_IN_LESSON = 20, 4
-"""Of fewer letters, a share says nothing."""
+"""With fewer letters than this, shares aren't meaningful."""
 _RIGHT = re.compile(r"<summary>(?P<letter>[a-z])\) [^\n]*</summary>\s*✓")
 
 
 def prediction_letters(tree: Tree) -> dict[str, list[str]]:
-    """The usual letters of the predictions of each lesson, in order; lessons that cannot be read are left out."""
+    """Return the usual letter of each prediction, in order, keyed by lesson. Skip lessons that can't be read."""
     found = {}
     for stem in tree.lesson_stems():
         try:
@@ -27,7 +27,7 @@ def prediction_letters(tree: Tree) -> dict[str, list[str]]:
 
 
 def question_letters(tree: Tree) -> dict[str, list[str]]:
-    """The right letters of the questions under "Check yourself" of each lesson, in order."""
+    """Return the correct letter of each "Check yourself" question, in order, keyed by lesson."""
     found = {}
     for stem in tree.lesson_stems():
         lines = (tree.sources / f"{stem}.py").read_text(encoding="utf-8").splitlines()
@@ -37,7 +37,7 @@ def question_letters(tree: Tree) -> dict[str, list[str]]:
 
 
 def letter_violations(tree: Tree) -> Iterator[Violation]:
-    """Letters that are right too often, in a lesson or in the whole course."""
+    """Yield letters that are correct too often, in one lesson or in the whole course."""
     for what, by_lesson in (
         ("predictions", prediction_letters(tree)),
         ("questions", question_letters(tree)),

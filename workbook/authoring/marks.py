@@ -1,4 +1,4 @@
-"""Marks of Markdown where nothing renders them: the reader would see them as they are written."""
+"""Find Markdown syntax in places that don't render it, where readers would see the raw characters."""
 
 import re
 from collections.abc import Iterator
@@ -8,11 +8,14 @@ _CODE = re.compile(r"`[^`]*`")
 
 
 def marks_in_html(text: str) -> Iterator[str]:
-    """Code in backticks and emphasis in a text that stands in HTML."""
+    """Yield code in backticks and emphasis in a text that is embedded in HTML."""
     yield from (found[0] for found in _CODE.finditer(text))
     yield from (found[0] for found in _EMPHASIS.finditer(_CODE.sub("", text)))
 
 
 def marks_in_prediction(text: str) -> Iterator[str]:
-    """Emphasis in an option of a prediction or its explanation. These may have code; bold words lose their marks."""
+    """Yield emphasis in a prediction's option or explanation.
+
+    Code in backticks is allowed, and so is `**`, because it's removed before the text is shown.
+    """
     yield from (found[0] for found in _EMPHASIS.finditer(_CODE.sub("", text).replace("**", "")))

@@ -1,4 +1,4 @@
-"""The error museum and the glossary: pages that are made from `notebooks/sources/museum`."""
+"""Generate the pages of the error museum and the glossary from `notebooks/sources/museum`."""
 
 import json
 import re
@@ -12,14 +12,19 @@ from workbook.exercise.museum import Exhibit, Museum
 MUSEUM, GLOSSARY = "error_museum.md", "glossary.md"
 
 
+def is_printed(symptom: str) -> bool:
+    """Return whether a symptom is a message that Python or ROS prints, rather than a description in words."""
+    return bool(re.match(r"[\w.]*(Error|Exception|Warning|Interrupt|Handle|Iteration)\b", symptom))
+
+
 def _sign(exhibit: Exhibit) -> str:
-    """The symptom as code when it is a text of Python, as words when it is a silence."""
-    looks_printed = re.match(r"[\w.]*(Error|Exception|Warning|Interrupt|Handle|Iteration)\b", exhibit.symptom)
-    return f"`{exhibit.symptom}`" if looks_printed and "`" not in exhibit.symptom else exhibit.symptom
+    """Return the symptom for a heading: as code if Python or ROS prints it, otherwise unchanged."""
+    is_code = is_printed(exhibit.symptom) and "`" not in exhibit.symptom
+    return f"`{exhibit.symptom}`" if is_code else exhibit.symptom
 
 
 def museum_page(tree: Tree, museum: Museum) -> str:
-    """Symptom, cause, fix; lesson by lesson."""
+    """Return the museum page: each exhibit's symptom, cause, and fix, grouped by lesson."""
     lines = [
         "# The error museum",
         "",
@@ -45,11 +50,11 @@ def museum_page(tree: Tree, museum: Museum) -> str:
 
 
 def glossary_page(tree: Tree, museum: Museum) -> str:
-    """All terms, from a to z, with the lesson that introduces them."""
+    """Return the glossary page: all terms in alphabetical order, each with the lesson that introduces it."""
     lines = [
         "# Glossary",
         "",
-        "The words of ROS 2 as the lessons use them, and where each one comes up first.",
+        "ROS 2 terms as the lessons use them, and where each one comes up first.",
         "",
     ]
     for term in sorted(museum.terms, key=lambda one: one.name.casefold()):
@@ -58,7 +63,7 @@ def glossary_page(tree: Tree, museum: Museum) -> str:
 
 
 def museum_violations(tree: Tree, museum: Museum) -> Iterator[tuple[str, str]]:
-    """Exhibits that no cell shows, and terms that are explained twice: file name and words."""
+    """Yield a file name and a message for each exhibit that its cell doesn't show, and each term explained twice."""
     outputs: dict[str, dict[str, str]] = {}
     for exhibit in museum.exhibits:
         name = f"{exhibit.lesson}.toml"
@@ -78,7 +83,7 @@ def museum_violations(tree: Tree, museum: Museum) -> Iterator[tuple[str, str]]:
 
 
 def _outputs(path: Path) -> dict[str, str]:
-    """What each code cell of a built lesson shows as text."""
+    """Return the text output of each code cell in a built lesson, keyed by cell id; empty if there is no notebook."""
     if not path.is_file():
         return {}
     found = {}

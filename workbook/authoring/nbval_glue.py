@@ -1,13 +1,15 @@
-"""A pytest plugin that lets nbval see what JupyterLab shows.
+"""A pytest plugin that makes nbval compare the outputs that JupyterLab would show.
 
-nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals the
-one committed. This plugin applies both as they come. Pictures inside HTML are not compared. Numbers marked as varying
-(`≈ 23 ms`) count as equal, but a cell fails when one of them is outside of its range. The plugin also sets the
-sanitize file unless another is given, compares only text in notebooks whose metadata says `workbook.compare: text`,
-fails a cell whose magic does not exist, talks to kernels over Unix sockets, and runs each in an empty folder, so that
-nothing is left in the checkout. It gives each notebook an answers folder of its own unless WORKBOOK_ANSWERS is set.
-Nobody looks at what moves, and it is drawn twice a second only. With WORKBOOK_RAN it starts no kernel, and compares
-what that notebook shows, which was run elsewhere.
+By itself, nbval drops display updates and keeps cleared outputs, so a moving figure would never equal the committed
+one. This plugin applies updates and clearing as they arrive. It doesn't compare images inside HTML. Numbers marked as
+varying (`≈ 23 ms`) count as equal, but a cell fails if one of them is outside of its range.
+
+The plugin also sets the sanitize file, unless another one is given. In notebooks whose metadata says
+`workbook.compare: text`, it compares only text. A cell fails if it uses a magic that doesn't exist. Kernels communicate
+over Unix sockets and run in an empty folder, so that they leave nothing in the checkout. Each notebook gets its own
+answers folder unless WORKBOOK_ANSWERS is set. Moving figures are drawn only twice a second, because no person watches.
+If WORKBOOK_RAN names a notebook that was run elsewhere, the plugin compares that notebook's outputs and starts no
+kernel.
 """
 
 import gc
@@ -30,6 +32,7 @@ from workbook.authoring.outputs import SANITIZE, texts, without_numbers, without
 from workbook.authoring.replay import RAN, Replay
 from workbook.lesson.measured import UNUSUAL
 from workbook.lesson.predictions import UNATTENDED
+from workbook.lesson.robot_in_cell import ROBOT
 from workbook.ros.scratch import sweep_scratch
 
 OUTPUTS = ("display_data", "execute_result", "stream", "error")
@@ -41,19 +44,19 @@ _own_folder = pytest.StashKey[Path]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Run kernels on Unix sockets, set the sanitize file, and draw live pictures twice a second only."""
+    """Make kernels use Unix sockets, set the sanitize file, and limit live views to two images per second."""
     nbval.kernel.KernelManager = KernelInAnEmptyFolder
     ran = os.environ.get(RAN)
     if ran:
         nbval.plugin.RunningKernel = lambda *_, **__: Replay(Path(ran))
     os.environ.setdefault(MOST_PICTURES, "2")
-    gc.freeze()  # what is loaded stays; the messages of a kernel make the collector look through it again and again
+    gc.freeze()  # otherwise, a kernel's messages would make the collector scan the loaded modules again and again
     if getattr(config.option, "nbval_sanitize_with", SANITIZE) is None:
         config.option.nbval_sanitize_with = str(SANITIZE)
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """Remove the answers folder of this run, and what killed kernels left in temporary folders."""
+    """Remove this run's answers folder, and the files that killed kernels left in temporary folders."""
     folder = config.stash.get(_own_folder, None)
     if folder is not None:
         shutil.rmtree(folder, ignore_errors=True)
@@ -62,7 +65,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Give each notebook an answers folder of its own, unless WORKBOOK_ANSWERS is set. Nobody predicts."""
+    """Give each notebook its own answers folder unless WORKBOOK_ANSWERS is set, and leave predictions unanswered."""
     if not isinstance(item, IPyNbCell):
         return
     os.environ[UNATTENDED] = "1"
@@ -76,12 +79,13 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
 
 def pytest_collectstart(collector: pytest.Collector) -> None:
-    """Compare only text in notebooks whose metadata says `workbook.compare: text`."""
+    """Compare only text in notebooks whose metadata says `workbook.compare: text`. Never compare the live robot."""
     if isinstance(collector, IPyNbFile):
+        collector.skip_compare += (ROBOT,)  # this output contains its kernel's id
         try:
             metadata = json.loads(collector.path.read_text(encoding="utf-8"))["metadata"]
         except (ValueError, KeyError, TypeError):
-            return  # nbval says what is wrong with it
+            return  # nbval reports what is wrong with the file
         if metadata.get("workbook", {}).get("compare") == "text":
             collector.skip_compare += NOT_TEXT
 
@@ -91,7 +95,7 @@ def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     """Run a cell with display updates applied.
 
     Raises:
-        NbCellError: the cell uses a magic that does not exist, or shows a number outside of its range.
+        NbCellError: the cell uses a magic that doesn't exist, or shows a number outside of its range.
     """
     if not isinstance(item, IPyNbCell):
         return (yield)
@@ -117,21 +121,21 @@ def _comparable(text: str) -> str:
 
 
 class KernelInAnEmptyFolder(PrivateKernelManager):
-    """Run the kernel in a folder that goes when the kernel is shut down, as do the files that a notebook writes."""
+    """A kernel manager whose kernel runs in an empty folder. The folder is deleted when the kernel shuts down."""
 
     def start_kernel(self, **options: Any) -> None:
-        """Start the kernel there, wherever its notebook is."""
+        """Start the kernel in a new folder instead of the notebook's."""
         self._folder = Path(tempfile.mkdtemp(prefix="notebook-"))
         super().start_kernel(**{**options, "cwd": str(self._folder)})
 
     def cleanup_connection_file(self) -> None:
-        """Remove the folder as well."""
+        """Remove the connection file, the sockets, and the kernel's folder."""
         super().cleanup_connection_file()
         shutil.rmtree(self._folder, ignore_errors=True)
 
 
 class LiveOutputs:
-    """Hands on a kernel's messages, and applies display updates and clearing to the outputs collected so far."""
+    """Passes on a kernel's messages, and applies display updates and clearing to the collected outputs."""
 
     def __init__(self, ask: Callable[..., dict[str, Any]], outputs: Callable[[], list[Any]]) -> None:
         self._ask = ask

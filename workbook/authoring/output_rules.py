@@ -1,4 +1,4 @@
-"""Rules on what a lesson shows, and on how much of it nbval is told to ignore."""
+"""Rules for a lesson's outputs, and for how many of them nbval may ignore."""
 
 import re
 from collections.abc import Iterator
@@ -15,11 +15,11 @@ _MARKERS = re.compile(
     re.MULTILINE,
 )
 Finding = tuple[int, str]
-"""A line of the text, and words."""
+"""A line of the lesson's text (0 for the whole lesson), and a message for the author."""
 
 
 def compared_enough(wanted: document.Document) -> Iterator[Finding]:
-    """Rules on outputs that nbval is told to ignore."""
+    """Check that at most a third of the code cells ignore their outputs, and that they use tags, not comments."""
     code = [cell for cell in wanted.cells if cell.kind == "code"]
     for cell in code:
         found = _MARKERS.search(cell.source)
@@ -31,7 +31,7 @@ def compared_enough(wanted: document.Document) -> Iterator[Finding]:
 
 
 def outputs_in_order(built: document.Notebook) -> Iterator[str]:
-    """Rules on what a built lesson shows."""
+    """Check a built lesson's outputs: the execution order, errors, figures, and numbers outside of their range."""
     code = [cell for cell in built.cells if cell.cell_type == "code"]
     if [cell.execution_count for cell in code] != list(range(1, len(code) + 1)):
         yield "was not run from top to bottom: run `make notebooks`"
@@ -47,7 +47,7 @@ def outputs_in_order(built: document.Notebook) -> Iterator[str]:
         if any(UNUSUAL in text for output in cell.outputs for text in texts(output)):
             yield f"cell {cell.id} shows a number that is {UNUSUAL}: run it again, or widen its range"
     if not any(_is_picture(output) for cell in code for output in cell.outputs):
-        yield "shows no picture: a lesson has at least one that moves or explains"
+        yield "shows no figure: a lesson has at least one that moves or explains"
 
 
 def _is_picture(output: document.Notebook) -> bool:
@@ -67,4 +67,4 @@ def _pictures(cell: document.Notebook) -> Iterator[str]:
             continue
         described = [text for text in texts(output) if not text.lstrip().startswith("<")]
         if not described:
-            yield f"cell {cell.id}: its picture has no text/plain that says what it shows"
+            yield f"cell {cell.id}: its figure has no text/plain that says what it shows"

@@ -1,4 +1,4 @@
-"""Makes the outputs of a run the same on every machine, as far as they can be."""
+"""Normalize a run's outputs, so that they are as similar as possible on every machine."""
 
 import re
 from collections.abc import Iterable
@@ -11,25 +11,25 @@ import nbformat
 from workbook.lesson.measured import MARK
 
 SANITIZE = Path(__file__).with_name("sanitize.cfg")
-"""Patterns in nbval's format, shared by the builder and nbval."""
+"""Patterns in nbval's format. Both the builder and nbval use this file."""
 
 
 @cache
 def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
-    """Pairs of pattern and replacement from the sanitize file."""
+    """Return the sanitize file's pairs of a pattern and its replacement."""
     text = SANITIZE.read_text(encoding="utf-8")
     pairs = re.findall(r"^regex: (.*)$\n^replace: (.*)$", text, flags=re.MULTILINE)
     return tuple((re.compile(regex), replacement) for regex, replacement in pairs)
 
 
 PICTURE = re.compile(r'(src(?:set)?="data:image/[a-z+]+;base64,[^"]*")')
-"""A picture inside HTML."""
+"""An image inside HTML."""
 _MARKED = re.compile(rf"{MARK} -?\d[\d,]*(?:\.\d+)?")
 _SPACES = re.compile(r" {2,}")
 
 
 def sanitized(text: str) -> str:
-    """The text without addresses, time stamps and machine paths. Pictures inside HTML stay as they are."""
+    """Replace memory addresses, timestamps, and machine paths in a text. Leave images inside HTML unchanged."""
     pieces = PICTURE.split(text)
     for place in range(0, len(pieces), 2):
         for pattern, replacement in patterns():
@@ -38,12 +38,12 @@ def sanitized(text: str) -> str:
 
 
 def without_pictures(text: str) -> str:
-    """The text with a word in the place of each picture inside HTML."""
+    """Replace each image inside HTML with a word."""
     return PICTURE.sub('src="picture"', text)
 
 
 def without_numbers(text: str) -> str:
-    """The text with a word in the place of each number marked as varying, and without the spaces that align it."""
+    """Replace each number marked as varying with a word. In these lines, also remove the spaces that align columns."""
     lines = text.split("\n")
     for place, line in enumerate(lines):
         if _MARKED.search(line):
@@ -64,7 +64,7 @@ def normalize(notebook: nbformat.NotebookNode) -> None:
 
 
 def texts(output: Any) -> Iterable[str]:
-    """Every piece of text in an output."""
+    """Yield every piece of text in an output."""
     if output.output_type == "stream":
         yield output.text
     elif output.output_type == "error":

@@ -1,4 +1,4 @@
-"""What is generated besides notebooks: whole pages, and parts of the README and the manuals between markers."""
+"""Generate whole pages, and the marked parts of the README and the manuals."""
 
 import re
 from collections.abc import Iterator
@@ -15,13 +15,13 @@ from workbook.exercise.museum import BrokenMuseum, load_museum
 LIST = "README.md"
 PAGES = (MUSEUM, GLOSSARY, LIST)
 BESIDE_LESSONS = ("museum", PLANNED, RUN_TIMES, TOO_LARGE)
-"""What else lies in the folder of the lessons' texts."""
+"""Other entries in the folder of the lessons' texts."""
 
 
 def pages(tree: Tree) -> dict[Path, str]:
-    """Every generated page with what it must hold. The README and the manual only where they are there.
+    """Return the text that each generated page must have, keyed by path. Skip the README and the manual if missing.
 
-    Raises AuthoringError when a page has lost its markers, BrokenMuseum when the museum cannot be read.
+    Raises AuthoringError if a page lacks its markers, and BrokenMuseum if the museum can't be read.
     """
     museum = load_museum(tree.root)
     found = {
@@ -40,7 +40,7 @@ def pages(tree: Tree) -> dict[Path, str]:
 
 
 def with_part(page: str, part: str, text: str, name: str) -> str:
-    """A page with `text` between the markers of `part`. Raises AuthoringError when it has no such markers."""
+    """Return the page with `text` between the markers of `part`. Raises AuthoringError unless each exists once."""
     start, end = f"<!-- {part}: made by `make notebooks` -->", f"<!-- end of {part} -->"
     if page.count(start) != 1 or page.count(end) != 1 or page.index(start) > page.index(end):
         raise AuthoringError(f"{name} needs the lines '{start}' and '{end}', once each")
@@ -49,7 +49,7 @@ def with_part(page: str, part: str, text: str, name: str) -> str:
 
 
 def write_pages(tree: Tree) -> list[Path]:
-    """Bring the pages up to date. Returns those that changed. Raises as `pages` does."""
+    """Update the pages, and return those that changed. Raises the same exceptions as `pages`."""
     changed = []
     for path, text in pages(tree).items():
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
@@ -60,7 +60,7 @@ def write_pages(tree: Tree) -> list[Path]:
 
 
 def check_pages(tree: Tree) -> Iterator[Violation]:
-    """The museum, and whether the pages are up to date."""
+    """Yield errors in the museum, and pages that are missing or out of date."""
     try:
         museum = load_museum(tree.root)
         for name, words in museum_violations(tree, museum):
@@ -83,7 +83,7 @@ def check_pages(tree: Tree) -> Iterator[Violation]:
 
 
 def _named_line(path: Path, words: str) -> int:
-    """The line of the file that holds what the words quote first."""
+    """Return the first line of the file that contains the first quoted text in `words`; 0 if there is none."""
     quoted = re.search(r"'(.+?)'", words)
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         if quoted and quoted[1] in line:

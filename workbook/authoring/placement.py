@@ -1,4 +1,4 @@
-"""Which files lie where: finds those that fit nowhere, and notebooks without a text."""
+"""Find misplaced files, and notebooks without a text."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -11,15 +11,22 @@ from workbook.exercise.source import DEEPER, STEM
 
 
 def misplaced(tree: Tree) -> Iterator[Violation]:
-    """Files that fit nowhere, and notebooks without a text."""
+    """Yield misplaced files, notebooks without a text, and numbers that are used twice."""
     lessons, exercises = tree.lesson_stems(), tree.exercise_stems()
+    # Each rule has a folder, the suffixes of its files, their stems, and the names of other allowed entries.
     rules: list[tuple[Path, str, tuple[str, ...], tuple[str, ...]]] = [
         (tree.notebooks, ".ipynb", lessons, ("sources", *PAGES)),
         (tree.sources, ".py", lessons, BESIDE_LESSONS),
         (tree.museum, ".toml", lessons, ()),
-        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers", "README.md", "teaching.md")),
+        (
+            tree.exercises,
+            ".ipynb",
+            exercises,
+            ("criteria", "drivers", "partners", "README.md", "teaching.md"),
+        ),
         (tree.drivers, ".py", exercises, ()),
-        (tree.criteria, ".py", exercises, ("__init__.py", "conftest.py")),
+        (tree.partners, ".py", exercises, ()),
+        (tree.criteria, ".py .toml", exercises, ("__init__.py", "conftest.py")),
         (tree.solutions, ".py", exercises, ("__init__.py",)),
         (tree.right_answers, "", exercises, ()),
         (tree.wrong_answers, "", exercises, ()),
@@ -30,7 +37,7 @@ def misplaced(tree: Tree) -> Iterator[Violation]:
         if stem.endswith(DEEPER) and (stem in exercises or stem.removesuffix(DEEPER) not in lessons):
             yield Violation(
                 tree.name((tree.solutions if stem in exercises else tree.sources) / f"{stem}.py"),
-                "a notebook …_deeper goes with the lesson of the same name, and has no exercise of its own",
+                "a notebook …_deeper goes with the lesson of the same name, and doesn't have its own exercise",
             )
     for stems, folder in ((tree.main_stems(), tree.sources), (exercises, tree.solutions)):
         for one, other in pairwise(stems):
@@ -40,8 +47,8 @@ def misplaced(tree: Tree) -> Iterator[Violation]:
         for path in entries(folder):
             if path.name in others:
                 continue
-            if path.suffix != suffix or not STEM.fullmatch(path.stem):
-                form = f"NN_slug{suffix}" if suffix else "folders NN_slug"
+            if path.suffix not in (suffix.split() or [""]) or not STEM.fullmatch(path.stem):
+                form = " and ".join(f"NN_slug{one}" for one in suffix.split()) or "folders NN_slug"
                 yield Violation(
                     tree.name(path), f"does not belong here: {tree.name(folder)}/ holds {form} only"
                 )

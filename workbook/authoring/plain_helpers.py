@@ -1,6 +1,6 @@
-"""The folded box "The same without helpers": plain rclpy for what the lessons' helpers do, one text for each helper.
+"""The folded box "How to do this without the helper functions", which shows each helper as plain rclpy code.
 
-A markdown cell of a lesson has the line `[the same without helpers: init, fresh, run]`, and its notebook the box.
+In a lesson's text, the line `[the same without helpers: init, fresh, run]` stands for the box.
 """
 
 import re
@@ -8,19 +8,20 @@ import re
 from workbook.authoring.tree import AuthoringError
 
 _PLACE = re.compile(r"^\[the same without helpers: (?P<names>[a-z_, ]+)\]$", re.MULTILINE)
-_BOX = "<details><summary>The same without helpers</summary>\n\n{inside}\n\n</details>"
+TITLE = "How to do this without the helper functions"
+_BOX = "<details><summary>{title}</summary>\n\n{inside}\n\n</details>"
 PLAIN = {
     "start": """\
-`start(program, period_s=0.5)` starts one of this course's programs in its own process and waits for its node to
-join the graph. `stop()` ends the program as Ctrl-C would. To start `NAME` in a terminal, type:
+`start(program, period_s=0.5)` starts one of this course's programs in its own process, and waits until other programs
+can discover its node. `stop()` ends it as Ctrl-C would. In a terminal, put the program's name in place of `NAME`:
 
 ```bash
 python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
 ```""",
     "record": """\
 `record(program, {topic: period_s}, seconds)` starts a program, records all messages on the given topics, and stops the
-program as Ctrl-C would. In simulated time, one minute takes a few seconds. In a full ROS 2 installation, this command
-records in real time while the program runs:
+program as Ctrl-C would. The program runs on simulated time, so a simulated minute takes only a few real seconds. In a
+full ROS 2 installation, this command records in real time while the program runs:
 
 ```text
 ros2 bag record /robot/cmd_vel
@@ -65,10 +66,9 @@ while not done():
 
 
 def with_plain_helpers(text: str, where: str) -> str:
-    """The text of a markdown cell with a box in the place of each such line.
+    """Return a Markdown cell's text with a box in place of each such line.
 
-    Raises:
-        AuthoringError: a helper has no text here.
+    Raises AuthoringError if a named helper isn't in `PLAIN`. `where` is the cell's place in the error message.
     """
 
     def box(place: re.Match[str]) -> str:
@@ -78,6 +78,6 @@ def with_plain_helpers(text: str, where: str) -> str:
                 raise AuthoringError(
                     f"{where}: there is no plain text for the helper {name!r}; write one in {__name__}"
                 )
-        return _BOX.format(inside="\n\n".join(PLAIN[name] for name in names))
+        return _BOX.format(title=TITLE, inside="\n\n".join(PLAIN[name] for name in names))
 
     return _PLACE.sub(box, text)

@@ -1,7 +1,7 @@
-"""Predictions in the text of a lesson: what the notebook shows of them, and the rest, which is sealed.
+"""Split the predictions in a lesson's text into the part that the notebook shows, and the rest, which is sealed.
 
-A markdown cell with `prediction="late-joiner"` holds the question and its options. Below each option stand its
-explanation, which begins with ✓ (what happens as a rule) or ✗, and, where a run can decide, ``when `late > 0` ``.
+A Markdown cell with `prediction="late-joiner"` contains the question and its options. The explanation below an option
+begins with ✓ (the usual outcome) or ✗. If the outcome depends on the run, a condition follows: ``when `late > 0` ``.
 """
 
 import ast
@@ -30,10 +30,9 @@ _ALLOWED = (
 
 
 def read_prediction(name: str, source: str) -> tuple[str, Prediction]:
-    """What the notebook shows of a cell with a prediction, and the prediction.
+    """Return the text that the notebook shows of a prediction's cell, and the whole prediction.
 
-    Raises:
-        ValueError: the cell is not written as a prediction is.
+    Raises ValueError if the cell isn't a valid prediction.
     """
     if not _NAME.fullmatch(name):
         raise ValueError(f"a prediction is named in small letters, digits and -, not {name!r}")
@@ -51,7 +50,7 @@ def read_prediction(name: str, source: str) -> tuple[str, Prediction]:
 
 
 class _Part:
-    """One option while it is read, line by line."""
+    """An option of a prediction while it's being read line by line."""
 
     def __init__(self, letter: str, text: str) -> None:
         self.letter = letter
@@ -61,7 +60,7 @@ class _Part:
         self.when = ""
 
     def shows(self, line: str) -> bool:
-        """Take one more line of the option. Returns whether the notebook shows it."""
+        """Add the option's next line. Return whether the notebook shows that line."""
         condition = _WHEN.fullmatch(line)
         if condition:
             self.when = condition["condition"]
@@ -110,7 +109,7 @@ def _check_condition(shown: str, condition: str) -> None:
 
 
 def prediction_violations(wanted: Document) -> Iterator[tuple[int, str]]:
-    """What is wrong with how the cells of a lesson ask and reveal: line of the text, and words."""
+    """Yield errors in a lesson's calls of predict and reveal, each as a line of the text and a message."""
     names = {one.name for one in wanted.predictions}
     asked: set[str] = set()
     revealed: set[str] = set()
@@ -133,7 +132,10 @@ def prediction_violations(wanted: Document) -> Iterator[tuple[int, str]]:
 
 
 def _calls(cell: Cell) -> Iterator[tuple[str, str, bool]]:
-    """Calls of the new form: predict or reveal, the name, and whether nothing follows the name."""
+    """Yield each call as "predict" or "reveal", the name, and whether the name is the only argument.
+
+    Skip calls of `predict` in the old form, with `about=`.
+    """
     if cell.kind != "code":
         return
     for found in _CALL.finditer(cell.source):
@@ -142,7 +144,7 @@ def _calls(cell: Cell) -> Iterator[tuple[str, str, bool]]:
 
 
 def write_sealed(tree: Tree, stem: str, predictions: Sequence[Prediction]) -> None:
-    """Write what the predictions of a lesson reveal, or remove it where there are none."""
+    """Write a lesson's sealed predictions to their file. If the lesson has none, remove the file."""
     path = tree.sealed / f"{stem}{SUFFIX}"
     if predictions:
         write(path, seal(predictions))
@@ -151,7 +153,7 @@ def write_sealed(tree: Tree, stem: str, predictions: Sequence[Prediction]) -> No
 
 
 def sealed_violations(tree: Tree, stem: str, wanted: Document) -> Iterator[Violation]:
-    """Whether what is sealed is what the text of the lesson says."""
+    """Check that the sealed predictions match the lesson's text."""
     path = tree.sealed / f"{stem}{SUFFIX}"
     try:
         kept = unseal(path.read_text(encoding="utf-8")) if path.is_file() else ()
@@ -165,7 +167,7 @@ def sealed_violations(tree: Tree, stem: str, wanted: Document) -> Iterator[Viola
 
 
 def foreign_sealed(tree: Tree) -> Iterator[Violation]:
-    """Sealed files of lessons that there are not, and names that two lessons use."""
+    """Yield sealed files that belong to no lesson, and prediction names that two lessons use."""
     lessons = tree.lesson_stems()
     taken: dict[str, str] = {}
     for path in entries(tree.sealed):
@@ -175,7 +177,7 @@ def foreign_sealed(tree: Tree) -> Iterator[Violation]:
         try:
             predictions = unseal(path.read_text(encoding="utf-8"))
         except ValueError:
-            continue  # told with its lesson
+            continue  # reported with the lesson
         for name in (one.name for one in predictions):
             if name in taken:
                 yield Violation(tree.name(path), f"the prediction {name!r} is also one of {taken[name]}")

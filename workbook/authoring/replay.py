@@ -1,6 +1,6 @@
-"""A kernel that runs nothing: it repeats what a notebook showed that was run elsewhere, as in JupyterLab.
+"""A stand-in for a kernel that replays the outputs of a notebook that was run elsewhere, for example in JupyterLab.
 
-nbval then compares that run as it compares its own.
+So nbval can compare that run as if it had run the notebook itself.
 """
 
 import itertools
@@ -12,14 +12,11 @@ from typing import Any
 import nbformat
 
 RAN = "WORKBOOK_RAN"
-"""Environment variable: the notebook, run elsewhere, that nbval is to compare."""
+"""Environment variable with the path of the notebook that was run elsewhere, for nbval to compare."""
 
 
 class Replay:
-    """Stands in for `nbval.kernel.RunningKernel`. Raises RuntimeError for a cell that was not run, or reads otherwise.
-
-    `ran`: the notebook with the outputs of its run.
-    """
+    """Replaces `nbval.kernel.RunningKernel`. `ran` is the notebook with its outputs."""
 
     def __init__(self, ran: Path) -> None:
         cells = nbformat.read(ran, nbformat.NO_CONVERT).cells
@@ -29,7 +26,10 @@ class Replay:
         self._alive = True
 
     def execute_cell_input(self, source: str, allow_stdin: bool | None = None) -> str:
-        """Get ready to repeat what the next cell showed. Returns the number of this request."""
+        """Queue the messages of the next cell's outputs, and return the request's id.
+
+        Raises RuntimeError if that cell has a different source, or wasn't run.
+        """
         cell = next(self._cells, None)
         if cell is None or cell.source != source:
             raise RuntimeError("the notebook that was run has another cell here")
@@ -45,20 +45,20 @@ class Replay:
         self._messages.append({"msg_type": kind, "parent_header": {"msg_id": request}, "content": content})
 
     def get_message(self, stream: str, timeout: float | None = None) -> dict[str, Any]:
-        """The next message of the cell."""
+        """Return the cell's next message."""
         return self._messages.popleft()
 
     def await_reply(self, msg_id: str, timeout: float | None = None) -> None:
-        """Return at once: the cell has been run."""
+        """Return right away, because the cell has already run."""
 
     def await_idle(self, parent_id: str, timeout: float) -> None:
-        """Pass over what is left of the cell."""
+        """Discard the cell's remaining messages."""
         self._messages.clear()
 
     def is_alive(self) -> bool:
-        """Whether it has not been stopped."""
+        """Return True until `stop` is called."""
         return self._alive
 
     def stop(self) -> None:
-        """Repeat nothing more."""
+        """Mark the replay as stopped."""
         self._alive = False

@@ -1,7 +1,7 @@
-"""Tables of requirements: what a task demands is tied to the criterion that judges it, and to answers that break it.
+"""Requirements tables: they tie each demand of a task to the criteria that judge it and the answers that break it.
 
-The tables are `tests/requirements/NN_slug.toml`. A requirement has an `id`, the `sentence` (or several) as the task has
-it, and either `criteria` with `wrong` answers, or `not_judged` with the reason.
+The tables are `tests/requirements/NN_slug.toml`. A requirement has an `id` and a `sentence` (or several), quoted from
+the task. It also has either `criteria` and `wrong` answers, or `not_judged` with the reason.
 """
 
 import re
@@ -21,7 +21,7 @@ from workbook.exercise.definition import Exercise
 from workbook.feedback.wording import points
 
 WITHOUT_TABLE: frozenset[str] = frozenset()
-"""Exercises of this course that are older than the rule. Only ever fewer."""
+"""Exercises of this course that are older than this rule. Never add one."""
 KEYS = ("id", "sentence", "criteria", "wrong", "not_judged")
 
 _MISSING = (
@@ -35,7 +35,7 @@ _AT_LINE = re.compile(r"\(at line (\d+), column \d+\)")
 
 @dataclass(frozen=True)
 class Requirement:
-    """One demand of a task. Empty is what the table does not say. `row` counts from 0."""
+    """One demand of a task. Fields that the table leaves out are empty. `row` counts from 0."""
 
     row: int
     id: str
@@ -46,21 +46,24 @@ class Requirement:
 
     @property
     def title(self) -> str:
-        """The requirement in a message to its author."""
+        """The requirement's name in messages to its author."""
         return f"requirement {self.id!r}" if self.id else f"requirement {self.row + 1}"
 
 
 @dataclass(frozen=True)
 class TableFile:
-    """The text of a table, to say in which line something stands. `name` is its path as it is shown."""
+    """The text of a table, for finding line numbers. `name` is the path that messages show."""
 
     name: str
     lines: tuple[str, ...]
 
     def at(self, row: int, pattern: str, words: str) -> Violation:
-        """A violation at the first line of a row in which the pattern is found; otherwise where the row begins."""
+        """Return a violation at a row's first line that matches the pattern.
+
+        If no line matches, use the row's first line. If the row isn't a [[requirement]] block, use the whole file.
+        """
         starts = [number for number, line in enumerate(self.lines, start=1) if _ROW.match(line)]
-        if row >= len(starts):  # written as an array of inline tables
+        if row >= len(starts):  # the rows are written as an array of inline tables
             return Violation(self.name, words)
         end = starts[row + 1] if row + 1 < len(starts) else len(self.lines) + 1
         block = range(starts[row], end)
@@ -68,28 +71,28 @@ class TableFile:
         return Violation(self.name, words, line)
 
     def at_key(self, row: int, key: str, words: str) -> Violation:
-        """A violation at a key of a row."""
+        """Return a violation at a row's key."""
         return self.at(row, rf"^\s*[\"']?{re.escape(key)}[\"']?\s*=", words)
 
     def at_text(self, row: int, text: str, words: str) -> Violation:
-        """A violation at a text of a row: a name, or a sentence, which may go on in further lines."""
+        """Return a violation at a text in a row. If the text has several lines, use the line of its beginning."""
         first = next((line.strip() for line in text.splitlines() if line.strip()), "")
         return self.at(row, re.escape(first[:30]), words)
 
     def at_name(self, row: int, name: str, words: str) -> Violation:
-        """A violation at the name of a criterion or of a wrong answer in a row."""
+        """Return a violation at the name of a criterion or a wrong answer in a row."""
         return self.at(row, rf"[\"']{re.escape(name)}[\"']", words)
 
 
 def stale_exceptions(tree: Tree, without: frozenset[str] = WITHOUT_TABLE) -> Iterator[Violation]:
-    """Exercises that `WITHOUT_TABLE` names, and that are not there or have a table."""
+    """Yield exercises in `WITHOUT_TABLE` that don't exist or that have a table now."""
     module, root = Path(__file__).resolve(), tree.root.resolve()
-    if not module.is_relative_to(root):  # another course than that of the constant
+    if not module.is_relative_to(root):  # WITHOUT_TABLE applies only to this module's own course
         return
     text = module.read_text(encoding="utf-8")
     for stem in sorted(without):
         if stem not in tree.exercise_stems():
-            words = f"WITHOUT_TABLE names {stem}, and there is no such exercise: delete it here"
+            words = f"WITHOUT_TABLE names {stem}, but there is no such exercise: delete it here"
         elif (tree.requirements / f"{stem}.toml").is_file():
             words = f"WITHOUT_TABLE names {stem}, which has a table now: delete it here"
         else:
@@ -100,7 +103,10 @@ def stale_exceptions(tree: Tree, without: frozenset[str] = WITHOUT_TABLE) -> Ite
 def table_violations(
     tree: Tree, stem: str, exercise: Exercise | None, without: frozenset[str] = WITHOUT_TABLE
 ) -> Iterator[Violation]:
-    """What is wrong with the table of an exercise; without an exercise, which could not be read, its form only."""
+    """Yield errors in an exercise's table.
+
+    If the exercise couldn't be read (`exercise` is None), check only what doesn't depend on it.
+    """
     path = tree.requirements / f"{stem}.toml"
     name = tree.name(path)
     if not path.is_file():
@@ -118,6 +124,12 @@ def table_violations(
         yield Violation(name, f"is not TOML: {error}", int(found[1]) if found else 0)
         return
     yield from _violations(tree, TableFile(name, tuple(text.splitlines())), data, exercise)
+
+
+def read_requirements(tree: Tree, stem: str) -> tuple[Requirement, ...]:
+    """Read the rows of a table that has no violations."""
+    data = tomllib.loads((tree.requirements / f"{stem}.toml").read_text(encoding="utf-8"))
+    return tuple(_requirement(number, row) for number, row in enumerate(data["requirement"]))
 
 
 def _violations(
@@ -140,7 +152,7 @@ def _is_rows(raw: object) -> TypeGuard[list[dict[str, Any]]]:
 
 
 def _form(file: TableFile, data: Mapping[str, Any]) -> Iterator[Violation]:
-    """What does not look like a table of requirements."""
+    """Yield parts of the data that don't have the form of a requirements table."""
     text = "\n".join(file.lines)
     for key in data:
         if key != "requirement":
@@ -164,7 +176,7 @@ def _row_form(file: TableFile, number: int, raw: Mapping[str, Any]) -> Iterator[
     for key in unknown:
         words = f"{one.title}: unknown key {key!r}{_guess(key, KEYS)}; there are {', '.join(KEYS)}"
         yield file.at_key(number, key, words)
-    if unknown:  # what is missing may be there under the wrong name
+    if unknown:  # a field that seems to be missing may just be misspelled
         return
     if "id" not in raw:
         yield file.at_key(number, "id", f'{one.title} has no id: give it one, such as "keeps-its-rate"')
@@ -205,7 +217,7 @@ def _judged_or_not(file: TableFile, one: Requirement, raw: Mapping[str, Any]) ->
 
 
 def _requirement(number: int, raw: Mapping[str, Any]) -> Requirement:
-    """A row as far as it can be read."""
+    """Return a row's requirement. Invalid fields are empty."""
     sentence, reason = raw.get("sentence"), raw.get("not_judged")
     return Requirement(
         row=number,
@@ -218,7 +230,7 @@ def _requirement(number: int, raw: Mapping[str, Any]) -> Requirement:
 
 
 def _texts(value: object) -> tuple[str, ...]:
-    """A list of texts; empty if it is anything else, or if one of them is blank."""
+    """Return a list of strings as a tuple; empty if the value is anything else or one of the strings is blank."""
     if isinstance(value, list) and all(isinstance(one, str) and one.strip() for one in value):
         return tuple(value)
     return ()
@@ -228,7 +240,9 @@ def _same_ids(file: TableFile, rows: list[Requirement]) -> Iterator[Violation]:
     first: dict[str, int] = {}
     for one in rows:
         if one.id and first.setdefault(one.id, one.row) != one.row:
-            words = f"the id {one.id!r} is that of requirement {first[one.id] + 1} as well: give each its own"
+            words = (
+                f"the id {one.id!r} is the id of requirement {first[one.id] + 1} as well: give each its own"
+            )
             yield file.at_key(one.row, "id", words)
 
 
@@ -242,7 +256,7 @@ def _unknown_sentences(file: TableFile, rows: list[Requirement], exercise: Exerc
 
 
 def _untied(file: TableFile, rows: list[Requirement], exercise: Exercise) -> Iterator[Violation]:
-    """Commands and prohibitions of the task that no row quotes."""
+    """Yield demands and prohibitions in the task that no row quotes."""
     quotes = [quote for one in rows for quote in one.sentences]
     for sentence, word in untied_demands(task_text(exercise.source), quotes):
         words = (
@@ -255,7 +269,10 @@ def _untied(file: TableFile, rows: list[Requirement], exercise: Exercise) -> Ite
 def _names(
     tree: Tree, file: TableFile, rows: list[Requirement], exercise: Exercise, *, whole: bool
 ) -> Iterator[Violation]:
-    """Names that do not exist; and, if the whole table could be read, criteria and answers that no row names."""
+    """Yield unknown criteria and wrong answers, and wrong answers that belong to another requirement.
+
+    If `whole`, the table is well-formed, so also yield criteria and wrong answers that no row names.
+    """
     folder = tree.wrong_answers / exercise.stem
     wrong = [path.stem for path in entries(folder) if path.suffix == ".py"]
     criteria = {one.id: one.points for one in exercise.criteria}
@@ -292,13 +309,16 @@ def _names(
 
 
 def _is_elsewhere(lost: frozenset[str], one: Requirement, criteria: Iterable[str]) -> bool:
-    """Whether an answer that loses these criteria breaks another requirement, as far as both can be read."""
+    """Return whether a wrong answer that loses these criteria breaks another requirement than this one.
+
+    Return False if the answer's header or the requirement's criteria can't be read.
+    """
     named = {*one.criteria}
     return bool(lost and named) and named <= {*criteria} and not named & lost
 
 
 def _lost(path: Path) -> frozenset[str]:
-    """Criteria that a wrong answer must lose, as its header says."""
+    """Return the criteria that a wrong answer must lose, according to its header; empty if the header is invalid."""
     try:
         return read_header(path).loses
     except WrongAnswerError:

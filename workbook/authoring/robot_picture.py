@@ -1,4 +1,4 @@
-"""The picture of the README: the robot as a recorded program moved it, drawn by the workbook, as an animated PNG."""
+"""Draw the README's figure: an animated PNG of the robot, moved by a recorded program."""
 
 from pathlib import Path
 
@@ -13,14 +13,14 @@ TOPIC = "/robot/joint_positions"
 PERIOD_S = 0.125
 WAVES_PER_SECOND = 1.0
 ROUND = 32
-"""Messages until the robot is back in its first pose: the film begins again without a jump."""
+"""Number of messages until the robot is back in its first pose, so that the film loops without a jump."""
 SCALE = 0.85
 
 
 def write_robot_picture(tree: Tree) -> Path:
-    """Run the program, record one round of its messages, and draw the robot at each of them. Returns the file.
+    """Run the program, record one round of its messages, and draw the robot at each message. Return the file.
 
-    Raises ValueError when too few messages came.
+    Raises ValueError if too few messages arrived.
     """
     seconds = PERIOD_S * (ROUND + 10)
     recording = record(

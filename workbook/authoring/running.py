@@ -1,4 +1,4 @@
-"""Runs a lesson from top to bottom in a fresh kernel, as a student's JupyterLab would."""
+"""Run a lesson from top to bottom in a fresh kernel, as a student's JupyterLab would."""
 
 import os
 import re
@@ -20,7 +20,7 @@ _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 
 
 def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
-    """Run all cells of a lesson and put in the outputs, normalized.
+    """Run all cells of a lesson, and store the normalized outputs in `notebook`.
 
     Raises:
         AuthoringError: a cell failed, took longer than 60 s, killed its kernel, or printed a machine path.
@@ -38,7 +38,7 @@ def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
         )
         environment = {k: v for k, v in os.environ.items() if k != "PYTEST_CURRENT_TEST"}
         environment |= {UNATTENDED: "1", FOLDER: str(tree.sealed)}
-        environment["IPYTHONDIR"] = str(Path(scratch) / "ipython")  # no settings of the author's own
+        environment["IPYTHONDIR"] = str(Path(scratch) / "ipython")  # ignore the author's own settings
         try:
             client.execute(env=environment)
         except CellExecutionError as error:
@@ -51,7 +51,7 @@ def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
             ) from error
         except DeadKernelError as error:
             raise AuthoringError(f"{stem}: the kernel died.\n\n{_running(notebook)}") from error
-        notebook.metadata = metadata  # nbclient put in what the kernel says of itself
+        notebook.metadata = metadata  # nbclient has added the kernel's own metadata
         normalize(notebook)
         _refuse_machine_paths(stem, notebook, [str(tree.root), scratch, str(Path.home())])
 

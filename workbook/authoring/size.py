@@ -1,7 +1,7 @@
-"""How large a lesson is: words of open text, words in folds, cells, and the minutes that it takes a reader.
+"""Measure a lesson: words of open text, words in folds, cells, and the minutes that a reader needs.
 
-Open text is what a reader sees at once: markdown without code, and the question and options of a prediction. In folds
-are the answers to questions, and the explanations that a prediction shows after the run.
+Open text is visible right away: Markdown without code, including each prediction's question and options. Folds contain
+the answers to questions, and the explanations that a prediction shows after the run.
 """
 
 import math
@@ -18,7 +18,7 @@ WORDS_PER_MINUTE = 180
 LIMITS = {"open words": 2_000, "words in folds": 1_200, "cells": 60}
 TOO_LARGE = "too_large.toml"
 STEP = 5
-"""Minutes are rounded up to a multiple of this: nobody reads to the minute."""
+"""Minutes are rounded up to a multiple of this, because readers don't plan to the minute."""
 _FENCE = re.compile(r"^(?P<fence>`{3,}|~{3,}).*?^(?P=fence)", re.MULTILINE | re.DOTALL)
 _COMMAND = re.compile(r"^    .*$", re.MULTILINE)
 _FOLD = re.compile(r"<details>(?P<inside>.*?)</details>", re.DOTALL)
@@ -31,7 +31,7 @@ _MINUTES = re.compile(r"(?P<before>^# - \*\*Minutes:\*\* )(?P<number>\d+)$", re.
 
 @dataclass(frozen=True)
 class Size:
-    """What a reader has to read, run and answer in a lesson."""
+    """The amount of text, cells, and questions in a lesson."""
 
     open_words: int
     fold_words: int
@@ -43,19 +43,19 @@ class Size:
 
     @property
     def over(self) -> dict[str, int]:
-        """What is over its limit, by name."""
+        """The sizes that exceed their limit, by name."""
         found = {"open words": self.open_words, "words in folds": self.fold_words, "cells": self.cells}
         return {name: number for name, number in found.items() if number > LIMITS[name]}
 
     @property
     def minutes(self) -> int:
-        """Reading, a minute for each cell that is run, and one for each prediction and question."""
+        """The reading time plus a minute per run cell, prediction, and question, rounded up to a multiple of `STEP`."""
         reading = (self.open_words + self.fold_words) / WORDS_PER_MINUTE
         return STEP * math.ceil((reading + self.runs + self.asked) / STEP)
 
 
 def size_of(lesson: Document) -> Size:
-    """The size of a lesson, from its text alone."""
+    """Compute a lesson's size from its text alone."""
     markdown = [_prose(cell) for cell in lesson.cells if cell.kind == "markdown"]
     folds = [fold["inside"] for text in markdown for fold in _FOLD.finditer(text)]
     folds += [option.why for prediction in lesson.predictions for option in prediction.options]
@@ -70,18 +70,18 @@ def size_of(lesson: Document) -> Size:
 
 
 def words(text: str) -> int:
-    """How many words a text has: what holds a letter or a digit. Tags and targets of links are none."""
+    """Count the words in a text. A word contains a letter or a digit; tags and link targets don't count."""
     bare = _TARGET.sub("]", _TAG.sub(" ", text))
     return sum(any(letter.isalnum() for letter in word) for word in bare.split())
 
 
 def with_minutes(text: str, minutes: int) -> str:
-    """The text of a lesson with these minutes in its first cell."""
+    """Return a lesson's text with its *Minutes* line set to `minutes`."""
     return _MINUTES.sub(rf"\g<before>{minutes}", text, count=1)
 
 
 def minutes_in(text: str) -> int | None:
-    """The minutes that the text of a lesson gives, None where it gives none."""
+    """Return the number in a lesson's *Minutes* line; None if there is no such line."""
     found = _MINUTES.search(text)
     return int(found["number"]) if found else None
 
@@ -91,9 +91,9 @@ def _prose(cell: Cell) -> str:
 
 
 def write_sizes(tree: Tree) -> list[str]:
-    """Put the minutes of all lessons right, and lower what is kept of lessons that are too large.
+    """Correct the *Minutes* line of all lessons, and lower the stored limits of lessons that are too large.
 
-    Returns the stems whose text changed.
+    Return the stems of the lessons whose text changed.
     """
     changed, kept, left = [], still_too_large(tree), {}
     for stem in tree.lesson_stems():
@@ -101,7 +101,7 @@ def write_sizes(tree: Tree) -> list[str]:
         text = path.read_text(encoding="utf-8")
         try:
             size = size_of(read_lesson(tree, stem))
-        except AuthoringError:  # told when the lesson itself is built
+        except AuthoringError:  # building the lesson reports it
             left[stem] = kept.get(stem, {})
             continue
         if (right := with_minutes(text, size.minutes)) != text:
@@ -115,13 +115,13 @@ def write_sizes(tree: Tree) -> list[str]:
 
 
 def still_too_large(tree: Tree) -> dict[str, dict[str, int]]:
-    """What lessons from before the limits may still have: by stem, the name of a limit and a number."""
+    """Return the raised limits of lessons that are older than the limits, keyed by stem and the limit's name."""
     path = tree.sources / TOO_LARGE
     return tomllib.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
 
 
 def size_violations(tree: Tree, stem: str, text: str, lesson: Document) -> Iterator[tuple[int, str]]:
-    """A lesson that is too large, or says other minutes than it takes: line of its text, and words."""
+    """Yield a line (0 for the file) and a message for each size over its limit, and for a wrong *Minutes* line."""
     size = size_of(lesson)
     kept = still_too_large(tree).get(stem, {})
     for name, number in size.over.items():

@@ -1,7 +1,7 @@
-"""Writes a lesson or an exercise from a template: small, whole, and right by every check. Its author then changes it.
+"""Create a lesson or an exercise from a template: small, complete, and passing every check. Its author then changes it.
 
-A template is a file or a folder below `skeletons/`. `@SLUG@` and its like stand for words of the new name; a line that
-ends with `@EXAMPLE@` holds text that the author is to replace, see `still_from_template`.
+A template is a file or a folder below `skeletons/`. Marks such as `@SLUG@` are replaced with parts of the new name. A
+line that ends with `@EXAMPLE@` contains text that the author has to replace; see `still_from_template`.
 """
 
 import re
@@ -14,26 +14,28 @@ from workbook.exercise.source import STEM
 
 SKELETONS = Path(__file__).with_name("skeletons")
 TEMPLATES = ("publisher", "listener", "service", "function")
-"""Kinds of exercises to begin with: a rate and a value, a reaction to a sensor, a call, a function."""
+"""Templates for exercises about a rate and a value, a reaction to a sensor, a service call, and a function."""
 EXAMPLE = "@EXAMPLE@"
 _SLUG = re.compile(r"[a-z][a-z0-9_]*")
 
 
 def new_lesson(tree: Tree, name: str) -> list[Path]:
-    """Write the text of a new lesson. `name` is a slug, or a stem with its number. Returns the files.
+    """Write a new lesson's text. `name` is a slug, or a stem with a number. Return the files.
 
     Raises:
-        AuthoringError: the name is no slug, or the number or the name is taken.
+        AuthoringError: the name isn't a valid slug, or the number or name is taken.
     """
     stem = _stem(tree, name, tree.lesson_stems(), tree.exercise_stems())
     return _write(_lesson_files(tree, stem), _words(tree, stem))
 
 
 def new_exercise(tree: Tree, name: str, template: str = TEMPLATES[0]) -> list[Path]:
-    """Write a new exercise: source, criteria, right and wrong answers, requirements, a driver if the template has one.
+    """Write a new exercise: source, criteria, right and wrong answers, requirements, and a driver if it needs one.
+
+    `name` is a slug, or a stem with a number. Return the files.
 
     Raises:
-        AuthoringError: the name is no slug, the number or the name is taken, or there is no such template.
+        AuthoringError: the name isn't a valid slug, the number or name is taken, or the template doesn't exist.
     """
     if template not in TEMPLATES:
         raise AuthoringError(f"no template {template!r}: there are {', '.join(TEMPLATES)}")
@@ -46,7 +48,7 @@ def _lesson_files(tree: Tree, stem: str) -> list[tuple[Path, Path]]:
 
 
 def _exercise_files(tree: Tree, stem: str, template: str) -> list[tuple[Path, Path]]:
-    """Pairs of a template and the file that it becomes."""
+    """Return pairs of a template file and the file to write."""
     folder = SKELETONS / "exercises" / template
     files = [
         (folder / "solution.py.txt", tree.solutions / f"{stem}.py"),
@@ -120,7 +122,7 @@ def _filled(template: Path, words: dict[str, str]) -> str:
 
 
 def still_from_template(tree: Tree) -> Iterator[Violation]:
-    """Lines of lessons and exercises that their author has not yet replaced: nothing wrong, but not theirs."""
+    """Yield lines that an author should replace but that are still the template's. These aren't failures."""
     for stem in tree.lesson_stems():
         yield from _example_lines(tree, stem, _lesson_files(tree, stem))
     for stem in tree.exercise_stems():

@@ -1,4 +1,4 @@
-"""Whether a built notebook is what its text generates, and whether its links lead somewhere."""
+"""Check whether a built notebook matches its text, and whether its links lead somewhere."""
 
 import re
 from collections.abc import Iterator
@@ -13,7 +13,7 @@ _LINK = re.compile(r"(?P<image>!?)\[(?P<text>[^\]]*)\]\(\s*(?P<target>[^)\s]+)[^
 
 
 def stale(tree: Tree, target: Path, wanted: document.Document) -> Iterator[Violation]:
-    """What is wrong with the notebook of a text: it is missing, unreadable or older."""
+    """Yield a violation if a notebook is missing or unreadable, and one for each difference from its text."""
     name = tree.name(target)
     if not target.is_file():
         yield Violation(name, "is not built: run `make notebooks`")
@@ -28,7 +28,7 @@ def stale(tree: Tree, target: Path, wanted: document.Document) -> Iterator[Viola
 
 
 def differences(built: document.Notebook, wanted: document.Notebook) -> Iterator[str]:
-    """How a built notebook differs from what its text generates; outputs aside."""
+    """Yield the differences between a built notebook without outputs and the one that its text generates."""
     ids, wanted_ids = [cell.get("id") for cell in built.cells], [cell.id for cell in wanted.cells]
     if ids != wanted_ids:
         extra = [str(one) for one in ids if one not in wanted_ids]
@@ -59,14 +59,14 @@ def differences(built: document.Notebook, wanted: document.Notebook) -> Iterator
 
 
 def dead_links(tree: Tree, folder: Path, wanted: document.Document) -> Iterator[tuple[int, str]]:
-    """Links to files that are not there, and pictures without alternative text."""
+    """Yield a line and a message for each link to a missing file and each image without alternative text."""
     for cell in wanted.cells:
         if cell.kind != "markdown":
             continue
         for link in _LINK.finditer(_CODE.sub("", cell.source)):
             target = link["target"].split("#", 1)[0]
             if link["image"] and not link["text"].strip():
-                yield cell.line, f"cell {cell.id}: the picture {target} has no alternative text"
+                yield cell.line, f"cell {cell.id}: the figure {target} has no alternative text"
             if not target or re.match(r"[a-z]+:", target):
                 continue
             path = (folder / target).resolve()

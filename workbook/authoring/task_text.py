@@ -1,4 +1,4 @@
-"""What a student reads of a task, and which of its sentences a quotation is likely to mean."""
+"""Extract a task's text, and find the sentence that a quotation most likely refers to."""
 
 import re
 from collections.abc import Iterator
@@ -7,23 +7,26 @@ from difflib import SequenceMatcher
 from workbook.exercise.source import ExerciseSource
 
 CLOSE = 0.6
-"""Share of a quotation's words that a sentence must have, in the same order, to be called its nearest."""
+"""A similar sentence must contain at least this share of a quotation's words, in the same order."""
 _OWN_BLOCK = re.compile(r"\s*(\||[-*] |\d+\. |#+ |$)")
 
 
 def task_text(source: ExerciseSource) -> str:
-    """The text of a task and its starter, as Markdown and without comment marks."""
+    """Return the text of a task, its starter included, as Markdown without comment marks."""
     starter = "\n".join(re.sub(r"^#+ ?", "", line.strip()) for line in source.starter_code.splitlines())
     return "\n\n".join((*source.story, starter, *source.afterword))
 
 
 def folded(text: str) -> str:
-    """The text in one line, with one space between words."""
+    """Return the text on one line, with one space between words."""
     return " ".join(text.split())
 
 
 def missing_words(quote: str, task: str) -> str:
-    """What to tell of a quotation that the task does not have: its first sentence that is missing, and the nearest."""
+    """Return a message about a quotation that isn't in the task.
+
+    The message gives the quotation's first missing sentence, and the task's most similar sentence if there is one.
+    """
     known = folded(task)
     gone = next((one for one in sentences(quote) if one not in known), None)
     if gone is None:
@@ -36,14 +39,14 @@ def missing_words(quote: str, task: str) -> str:
 
 
 def nearest_sentence(quote: str, task: str) -> str | None:
-    """The sentence or table row of the task with a part that is most like a quotation; None if none is close."""
+    """Return the task's sentence or table row that is most similar to a quotation; None if none is close."""
     ranked = [(_likeness(quote.split(), one.split()), one) for one in sentences(task)]
     best, sentence = max(ranked, default=(0.0, ""), key=lambda pair: pair[0])
     return sentence if best else None
 
 
 def _likeness(wanted: list[str], words: list[str]) -> float:
-    """How like a part of the `words` is to the wanted ones: 1 the same, 0 not close."""
+    """Return how similar the best part of `words` is to `wanted`, from 0 (not close) to 1 (equal)."""
     blocks = SequenceMatcher(None, wanted, words, autojunk=False).get_matching_blocks()[:-1]
     shared = sum(block.size for block in blocks)
     if not shared or shared < CLOSE * len(wanted):
@@ -53,7 +56,7 @@ def _likeness(wanted: list[str], words: list[str]) -> float:
 
 
 def sentences(text: str) -> Iterator[str]:
-    """The sentences of a text, folded; a table row, a heading or the item of a list is no part of another."""
+    """Yield a text's sentences, each on one line. Table rows, headings, and list items always begin a new sentence."""
     block: list[str] = []
     for line in [*text.splitlines(), ""]:
         if _OWN_BLOCK.match(line):

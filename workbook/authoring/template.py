@@ -1,6 +1,6 @@
-"""The shape of a lesson, as rules: which sections it has, in which order, and what each must hold.
+"""Rules for a lesson's structure: its sections, their order, and what each section must contain.
 
-A rule takes a section and yields what is wrong with it, in words for the author. docs/lessons.md explains the shape.
+A rule takes a section and yields error messages for the author. docs/lessons.md explains the structure.
 """
 
 import re
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from workbook.authoring.document import OPENING, Cell, heading_of
 from workbook.authoring.marks import marks_in_html
 
-FACTS = ("Minutes", "You need", "You will be able to", "Left out")
+FACTS = ("Minutes", "You need", "You will be able to", "Not covered")
 QUESTIONS = range(3, 6)
 EXPERIMENTS = range(2, 4)
 TAKE_AWAY_LINES = 5
@@ -18,7 +18,7 @@ WRONG_CLAIMS_COUNT = 2
 DEEPER_NEEDS = ("Predict", "Run it", "Look inside", "Take away")
 """The sections that an optional deeper notebook needs."""
 OFFICIAL = "https://docs.ros.org/"
-GOOD_ANSWER = "What a good answer contains"
+GOOD_ANSWER = "What a good answer covers"
 WRONG_CLAIMS = "What to check in the reply"
 
 _PREDICT = re.compile(r"^\s*predict\(\s*(?P<quote>['\"])(?P<choice>.*?)(?P=quote)", re.MULTILINE)
@@ -34,19 +34,19 @@ _SETUP = re.compile(r"^\s*(%load_ext|[%!]pip|!apt|%conda)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Section:
-    """A heading and the cells under it, the heading's own cell included."""
+    """A section of a lesson: a heading and its cells, including the heading's own cell."""
 
     title: str
     cells: tuple[Cell, ...]
     number: int
-    """Number of the lesson."""
+    """The lesson's number."""
     has_exercise: bool
     is_deeper: bool = False
-    """Part of an optional notebook that goes deeper than its lesson."""
+    """Whether the section is in an optional deeper notebook."""
 
     @property
     def line(self) -> int:
-        """Where it begins in the text of the lesson."""
+        """The section's first line in the lesson's text."""
         return self.cells[0].line if self.cells else 1
 
     @property
@@ -66,9 +66,9 @@ Rule = Callable[[Section], Iterable[str]]
 def shape_violations(
     cells: Sequence[Cell], number: int, *, has_exercise: bool, is_deeper: bool = False
 ) -> Iterator[tuple[int, str]]:
-    """What keeps these cells from being a lesson: line of the text, and words. Empty when they are one.
+    """Yield a line and a message for each violation of a lesson's structure. Line 0 means the whole lesson.
 
-    A deeper notebook may leave out sections, and has as many experiments as it likes.
+    A deeper notebook may omit sections and have any number of experiments.
     """
     yield from _headings_open_cells(cells)
     yield from _marks_in_summaries(cells)
@@ -97,7 +97,7 @@ def shape_violations(
 def split(
     cells: Sequence[Cell], number: int, *, has_exercise: bool, is_deeper: bool = False
 ) -> list[Section]:
-    """The sections in order; the first is the opening, before any `## ` heading."""
+    """Return the sections in order. The first one is the opening, before any `## ` heading."""
     groups: list[tuple[str, list[Cell]]] = [(OPENING, [])]
     for cell in cells:
         heading = heading_of(cell)
@@ -115,7 +115,7 @@ def _order(found: list[str], needed: Sequence[str]) -> Iterator[str]:
             yield f"the section '## {title}' is there more than once"
     for title in found:
         if title not in SHAPE:
-            yield f"'## {title}' is not a section of a lesson; use '### ' for headings of your own"
+            yield f"'## {title}' is not a section of a lesson; use '### ' for your own headings"
     known = [title for title in found if title in SHAPE]
     if sorted(set(known), key=list(SHAPE).index) != list(dict.fromkeys(known)):
         yield f"the sections must come in this order: {', '.join(SHAPE)}"
@@ -201,7 +201,7 @@ def _experiments(section: Section) -> Iterator[str]:
         if guess is None and section.is_deeper:
             continue
         if guess is None:
-            yield f"the experiment {title!r} needs a prediction of its own, predict('late-joiner')"
+            yield f"the experiment {title!r} needs its own prediction, predict('late-joiner')"
         elif guess == len(code) - 1:
             yield f"the experiment {title!r} needs a code cell after the prediction that runs it"
 
@@ -263,7 +263,7 @@ def _talks(section: Section) -> Iterator[str]:
     if len(claims) != WRONG_CLAIMS_COUNT:
         yield (
             f"needs <details><summary>{WRONG_CLAIMS}</summary> with two wrong claims, "
-            f"each as '- **The claim:** what is true'; it has {len(claims)}"
+            f"each as '- **The claim:** the truth'; it has {len(claims)}"
         )
 
 

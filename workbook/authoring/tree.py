@@ -1,4 +1,4 @@
-"""The folders of the course, and which files belong in them."""
+"""The course's folders, and the stems of its lessons and exercises."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,16 +7,16 @@ from pathlib import Path
 from workbook.exercise.source import DEEPER, STEM
 
 IGNORED_NAMES = ("__pycache__",)
-"""Left by tools. Names that begin with a dot are ignored as well."""
+"""Folders that tools leave behind. Names that begin with a dot are also ignored."""
 
 
 class AuthoringError(RuntimeError):
-    """A lesson or an exercise cannot be built. The message says what to fix, and where."""
+    """A lesson, an exercise, or a page can't be built or checked. The message says what to fix, and where."""
 
 
 @dataclass(frozen=True)
 class Tree:
-    """A checkout of the course."""
+    """A checkout of the course. `root` is its folder."""
 
     root: Path
 
@@ -37,12 +37,12 @@ class Tree:
 
     @property
     def sealed(self) -> Path:
-        """Folder of what predictions reveal after the run, one encoded file per lesson that has predictions."""
+        """Folder of the sealed predictions, one encoded file per lesson that has predictions."""
         return self.root / "workbook" / "lesson" / "sealed"
 
     @property
     def exercises(self) -> Path:
-        """Folder of the built exercise notebooks, which hold the starter."""
+        """Folder of the built exercise notebooks, which contain the starter."""
         return self.root / "exercises"
 
     @property
@@ -52,32 +52,37 @@ class Tree:
 
     @property
     def drivers(self) -> Path:
-        """Folder of the programs that call the functions of an answer, for exercises that need one."""
+        """Folder of the drivers, programs that call an answer's functions, for exercises that need one."""
         return self.exercises / "drivers"
 
     @property
+    def partners(self) -> Path:
+        """Folder of the nodes that run next to a started answer, for exercises whose node needs other nodes."""
+        return self.exercises / "partners"
+
+    @property
     def solutions(self) -> Path:
-        """Folder of the exercise sources: text, starter and reference answer in one file."""
+        """Folder of the exercise sources: one file per exercise with the text, the starter, and the solution."""
         return self.root / "solutions"
 
     @property
     def right_answers(self) -> Path:
-        """Folder of further programs that must get full marks, one folder per exercise."""
+        """Folder of other programs that must get full marks, one subfolder per exercise."""
         return self.root / "tests" / "right_answers"
 
     @property
     def wrong_answers(self) -> Path:
-        """Folder of programs with one mistake each, which must lose the points they name, one folder per exercise."""
+        """Folder of programs with one mistake each, and the criteria they must lose, one subfolder per exercise."""
         return self.root / "tests" / "wrong_answers"
 
     @property
     def requirements(self) -> Path:
-        """Folder of the tables that tie each demand of a task to what judges it, one TOML file per exercise."""
+        """Folder of the tables that tie each demand of a task to its criteria, one TOML file per exercise."""
         return self.root / "tests" / "requirements"
 
     @property
     def mutants(self) -> Path:
-        """Reports on what the judges let through; see `workbook.authoring.mutants`."""
+        """Folder of the reports on mutants, one TOML file per exercise; see `workbook.authoring.mutants`."""
         return self.root / "tests" / "mutants"
 
     @property
@@ -87,38 +92,38 @@ class Tree:
 
     @property
     def solved(self) -> Path:
-        """Exercise notebooks with the solution put in: built when needed, not in git."""
+        """Folder of the exercise notebooks with the solution filled in, which are built when needed and not in git."""
         return self.root / "build" / "solved"
 
     def lesson_stems(self) -> tuple[str, ...]:
-        """The stem (NN_slug) of every lesson that has a text, sorted."""
+        """Return the stem (NN_slug) of every lesson that has a text, sorted."""
         return stems_in(self.sources, ".py")
 
     def main_stems(self) -> tuple[str, ...]:
-        """The stems of the lessons that everybody takes, without the deeper notebooks beside them."""
+        """Return the stems of the main lessons, without the deeper notebooks."""
         return tuple(stem for stem in self.lesson_stems() if not stem.endswith(DEEPER))
 
     def deeper_stem(self, stem: str) -> str | None:
-        """The stem of the optional notebook that goes deeper than this lesson, if there is one."""
+        """Return the stem of a lesson's optional deeper notebook; None if there is none."""
         deeper = f"{stem}{DEEPER}"
         return deeper if deeper in self.lesson_stems() else None
 
     def exercise_stems(self) -> tuple[str, ...]:
-        """The stem (NN_slug) of every exercise that has a source, sorted."""
+        """Return the stem (NN_slug) of every exercise that has a source, sorted."""
         return stems_in(self.solutions, ".py")
 
     def name(self, path: Path) -> str:
-        """The path as it is shown: relative to the course."""
+        """Return a path for messages: relative to the course if it's inside, otherwise unchanged."""
         return path.relative_to(self.root).as_posix() if path.is_relative_to(self.root) else str(path)
 
 
 def stems_in(folder: Path, suffix: str) -> tuple[str, ...]:
-    """Stems of the form NN_slug of all files with this suffix, sorted."""
+    """Return the stems of all files NN_slug with this suffix, sorted."""
     return tuple(sorted(path.stem for path in folder.glob(f"*{suffix}") if STEM.fullmatch(path.stem)))
 
 
 def entries(folder: Path) -> Iterator[Path]:
-    """What lies in a folder (nothing if there is none), without what tools leave behind."""
+    """Yield a folder's sorted entries, except those that tools leave behind. A missing folder has no entries."""
     if not folder.is_dir():
         return
     for path in sorted(folder.iterdir()):

@@ -1,7 +1,7 @@
-"""Makes the stubs in `workbook/typings` from the message classes that are installed.
+"""Generate the type stubs in `workbook/typings` from the installed message classes.
 
-Message packages say nothing of types to a type checker: it takes every message for `Any`. A stub (`.pyi`) says what
-each message holds. The text depends on the message definitions only, so it is the same on every machine.
+Message packages have no type hints, so a type checker treats every message as `Any`. A stub (`.pyi`) declares the types
+of each message's fields. Stubs depend only on the message definitions, so they are the same on every machine.
 """
 
 import importlib.util
@@ -12,7 +12,7 @@ from typing import Any
 
 from workbook.typechecking.typecheck import TYPINGS
 
-# Those that lessons and exercises import, and what their messages are made of.
+# The packages that lessons and exercises import, and the packages of nested messages.
 PACKAGES = (
     "builtin_interfaces",
     "diagnostic_msgs",
@@ -50,7 +50,7 @@ class _Module:
         self.imports: set[str] = set()
 
     def text(self) -> str:
-        """The whole file."""
+        """Return the text of the stub."""
         found = vars(importlib.import_module(f"{self.package}.{self.kind}"))
         classes = {name: one for name, one in sorted(found.items()) if isinstance(one, type)}
         blocks: list[str] = []
@@ -97,7 +97,7 @@ class _Module:
         return "\n".join(lines)
 
     def _types(self, spelled: str) -> tuple[str, str]:
-        """What a field gives when it is read, and what it takes."""
+        """Return the types of a field's value when it's read, and when it's assigned."""
         sequence = _SEQUENCE.fullmatch(spelled)
         fixed = _FIXED.fullmatch(spelled)
         if sequence is None and fixed is None:
@@ -114,7 +114,7 @@ class _Module:
             self.imports |= {"import numpy", "from numpy.typing import NDArray"}
             held = f"NDArray[numpy.{_NUMPY[name]}]"
             return held, f"{held} | {taken}"
-        if item == "str":  # a str is a sequence of str, too, and no message wants it for one
+        if item == "str":  # a str is also a sequence of str, but no message accepts it as one
             taken = "list[str] | tuple[str, ...] | AbstractSet[str]"
         return f"list[{item}]", taken
 
@@ -135,7 +135,7 @@ def _import_order(line: str) -> tuple[bool, str]:
 
 
 def stubs() -> Iterator[tuple[str, str]]:
-    """Every stub: its path in `workbook/typings`, and its text."""
+    """Yield each stub's path in `workbook/typings` and its text."""
     for package in PACKAGES:
         yield f"{package}/__init__.pyi", HEADER
         for kind in ("msg", "srv"):
@@ -144,7 +144,7 @@ def stubs() -> Iterator[tuple[str, str]]:
 
 
 def write(folder: Path = TYPINGS) -> int:
-    """Write all stubs. Returns how many there are."""
+    """Write all stubs, and return their number."""
     count = 0
     for name, text in stubs():
         path = folder / name

@@ -1,4 +1,4 @@
-"""What a check finds: a rule that a file breaks, at a line, in words for its author."""
+"""Violations that checks find: a file, a line, and a message for the author."""
 
 import re
 from collections.abc import Iterable
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Violation:
-    """One broken rule in the file `where` (relative to the course). `line` counts from 1; 0 means the whole file."""
+    """A broken rule in the file `where` (relative to the course). `line` counts from 1; 0 means the whole file."""
 
     where: str
     words: str
@@ -19,7 +19,7 @@ class Violation:
 
 
 def report(found: Iterable[Violation]) -> str:
-    """One violation a line, as `file:line: words`, file by file."""
+    """Return the violations as `file:line: words`, one per line, grouped by file."""
     order: dict[str, list[Violation]] = {}
     for one in found:
         order.setdefault(one.where, []).append(one)
@@ -27,7 +27,7 @@ def report(found: Iterable[Violation]) -> str:
 
 
 def line_of(text: str, pattern: str) -> int:
-    """Number of the first line in which the pattern is found; 1 if there is none."""
+    """Return the number of the first line that matches the pattern; 1 if none does."""
     for number, line in enumerate(text.splitlines(), start=1):
         if re.search(pattern, line):
             return number

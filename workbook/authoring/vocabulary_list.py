@@ -1,4 +1,4 @@
-"""The table in docs/vocabulary.md: each word of `workbook.criteria`, its arguments and its first line."""
+"""Generate the table in docs/vocabulary.md: each name in `workbook.criteria`, its arguments, and its description."""
 
 import ast
 import importlib
@@ -12,7 +12,7 @@ from workbook.criteria import Criterion
 
 
 def vocabulary(module: ModuleType = workbook.criteria) -> str:
-    """A table of all that a criteria file can use, in the order of the alphabet."""
+    """Return a table of all names that a criteria file can use, in alphabetical order, functions first."""
     rows = [
         f"| `{spelled(module, name)}` | {first_line(module, name)} |"
         for name in sorted(module.__all__, key=_key)
@@ -21,12 +21,12 @@ def vocabulary(module: ModuleType = workbook.criteria) -> str:
 
 
 def _key(name: str) -> tuple[bool, str]:
-    """Words that are called first, then classes and constants."""
+    """Return a sort key that puts functions before classes and constants."""
     return name[0].isupper(), name
 
 
 def spelled(module: ModuleType, name: str) -> str:
-    """The name; of a function with its arguments, those that may be missing in brackets."""
+    """Return a name. For a function, add its arguments, with optional ones in brackets."""
     value = getattr(module, name)
     if not inspect.isfunction(value):
         return name
@@ -42,7 +42,7 @@ def spelled(module: ModuleType, name: str) -> str:
 
 
 def first_line(module: ModuleType, name: str) -> str:
-    """The first sentence or line of what is said about the name where it is defined."""
+    """Return the first paragraph of a name's documentation on one line, for a table cell."""
     value = getattr(module, name)
     if isinstance(value, Criterion):
         value = value.judge
@@ -52,7 +52,7 @@ def first_line(module: ModuleType, name: str) -> str:
 
 
 def _said_of_constant(module: ModuleType, name: str) -> str:
-    """The text below an assignment in the module that the constant comes from."""
+    """Return a constant's docstring from the module that defines it; "" if there is none."""
     for node in ast.walk(ast.parse(Path(str(module.__file__)).read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module and name in [alias.name for alias in node.names]:
             origin = importlib.import_module(node.module)

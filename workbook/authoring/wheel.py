@@ -1,6 +1,6 @@
-"""The wheel for students: the package with the course inside it, and without solutions.
+"""Build the students' wheel: the package with the course inside, but without solutions.
 
-The same files give the same bytes. SOURCE_DATE_EPOCH dates the files in the wheel.
+The same files give the same bytes. SOURCE_DATE_EPOCH sets the date of the files in the wheel.
 """
 
 import hashlib
@@ -26,22 +26,22 @@ NOT_FOR_STUDENTS = (
     "workbook/authoring/", "workbook/lab/lock.py", "workbook/cli/new.py", "workbook/cli/package.py",
     "workbook/grading/packaging.py", "workbook/grading/students_edition.py", "workbook/grading/gradescope_files/",
 )  # fmt: skip
-"""Files of the package that only authors and instructors need."""
-FOLDERS = ("lesson_nodes", "exercises/criteria", "exercises/drivers")
+"""Paths in the package that only authors and instructors need."""
+FOLDERS = ("lesson_nodes", "exercises/criteria", "exercises/drivers", "exercises/partners")
 FILES = ("notebooks/*.ipynb", "notebooks/*.md", "exercises/*.ipynb")
 PROJECT = ("pyproject.toml", "LICENSE", "LICENSE-TEXT")
 DESCRIPTION = "docs/wheel.md"
 LOCKED = ("build", "student")
-"""Sections of the lock file that the wheel carries: no student installs the others."""
+"""Sections of the lock file that go into the wheel. Students don't install the others."""
 SEARCH_PATH = "rclpy_workbook.pth"
-"""Puts the course on Python's search path, so that a notebook can import `lesson_nodes`, as in a clone."""
+"""This file puts the course on Python's search path, so that notebooks can import `lesson_nodes`, as in a clone."""
 _FIRST_YEAR_OF_ZIP = 1980
 
 
 def build_wheel(course: Path, folder: Path) -> Path:
-    """Write the wheel into `folder` and return its path.
+    """Write the wheel to `folder` and return its path.
 
-    Raises CannotPackage when the course has hidden criteria, which a student could read.
+    Raises CannotPackage if the course has hidden criteria, because students could read them.
     """
     metadata = _metadata(course)
     info = next(iter(metadata)).partition("/")[0]
@@ -57,9 +57,9 @@ def build_wheel(course: Path, folder: Path) -> Path:
     with zipfile.ZipFile(partial, "w") as archive:
         for name in sorted(
             files, key=lambda one: (one.startswith(info), one)
-        ):  # metadata last, as wheels have it
+        ):  # the wheel specification recommends putting metadata last
             entry = zipfile.ZipInfo(name, _date())
-            entry.create_system = 3  # Unix, so that the permissions count
+            entry.create_system = 3  # Unix, so that installers apply the permissions
             entry.external_attr = 0o100644 << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, files[name], compresslevel=9)
@@ -68,7 +68,7 @@ def build_wheel(course: Path, folder: Path) -> Path:
 
 
 def ros_pins(lock: str) -> list[str]:
-    """Every package of ROS with its locked version: pip reads the wheel's requirements and no lock file."""
+    """Return each ROS package with its locked version, because pip reads the wheel's requirements but no lock file."""
     return [line for line in bootstrap.read_sections(lock)["student"] if line.startswith(ROS)]
 
 
@@ -85,7 +85,7 @@ def _course(course: Path) -> Iterator[tuple[str, bytes]]:
             yield f"{inside}/{name}", content
     for pattern in FILES:
         for path in sorted(course.glob(pattern)):
-            # Outputs would give away what a lesson asks students to predict. No copy of a student's has them.
+            # Outputs would give away the predictions, so students' copies never contain them.
             text = without_outputs(path.read_text(encoding="utf-8"))
             yield f"{inside}/{path.relative_to(course).as_posix()}", text.encode()
     for stem in stems(course / "solutions"):
@@ -96,7 +96,7 @@ def _course(course: Path) -> Iterator[tuple[str, bytes]]:
 
 
 def _metadata(course: Path) -> dict[str, bytes]:
-    """The files of the wheel's dist-info folder, except RECORD."""
+    """Return the files of the wheel's dist-info folder, except RECORD."""
     with tempfile.TemporaryDirectory(prefix="wheel-") as scratch:
         project = Path(scratch, "project")
         (project / "workbook").mkdir(parents=True)
@@ -104,7 +104,7 @@ def _metadata(course: Path) -> dict[str, bytes]:
             (project / name).write_bytes((course / name).read_bytes())
         (project / "README.md").write_text(_text(course, DESCRIPTION), encoding="utf-8")
         here = Path.cwd()
-        os.chdir(project)  # where a build backend expects to be
+        os.chdir(project)  # build backends expect to run in the project's folder
         try:
             info = Path(scratch, buildapi.prepare_metadata_for_build_wheel(scratch))
         finally:
@@ -123,7 +123,7 @@ def _metadata(course: Path) -> dict[str, bytes]:
 
 
 def _is_for_authors(line: str) -> bool:
-    """Whether a line of the metadata is about the extra for authors, whose tests no wheel has."""
+    """Return whether a metadata line is about the authors' extra, which is useless without the checkout's tests."""
     return line == "Provides-Extra: dev" or line.endswith(("extra == 'dev'", 'extra == "dev"'))
 
 

@@ -1,6 +1,6 @@
-"""Reads ``tests/wrong_answers/NN_slug/NAME.py``: one mistake each, and what it must lose.
+"""Read wrong answers, ``tests/wrong_answers/NN_slug/NAME.py``: one mistake each, and the criteria that it must lose.
 
-Most mistakes are a few lines, so the file holds these and the rest comes from a right program::
+Most mistakes are only a few lines, so the file contains those lines, and the rest comes from a right answer::
 
     # The period is half of what it should be.
     # loses: joint_rate
@@ -8,21 +8,21 @@ Most mistakes are a few lines, so the file holds these and the rest comes from a
     # replaces: self.create_timer(2.0, self.publish_joints)
     self.create_timer(1.0, self.publish_joints)
 
-The header is the comment that the file begins with. Its sentences say what the mistake is; its fields are
+The header is the comment at the beginning of the file. Its sentences describe the mistake. Its fields are
 
-    loses      criteria that fail or get a part of their points, separated by commas
-    also       criteria that it may lose as well, where a busy machine decides
-    skips      criteria that are skipped, all of them; where the field is missing, they are not compared
-    cause      id that the verdict of the first lost criterion must carry; two, where milliseconds decide
-    says       words that the feedback of the first lost criterion must hold; may be repeated
-    soak       `yes`: the mistake shows only in real seconds
-    compiles   `no`: Python cannot compile it
-    on         the program that is changed: `solution` (the default), `starter` or `right/NAME.py`
+    loses      criteria that fail or earn only part of their points, separated by commas
+    also       criteria that may be lost as well, depending on how busy the machine is
+    skips      all criteria that are skipped; if the field is missing, skipped criteria aren't compared
+    cause      cause id of the first lost criterion's verdict; several are allowed if milliseconds decide
+    says       words that the first lost criterion's feedback must contain; may be repeated
+    soak       `yes` if the mistake shows only when the program runs in real time
+    compiles   `no` if Python can't compile the program
+    on         the program that is changed: `solution` (the default), `starter`, or `right/NAME.py`
 
-Each change names lines of that program, one comment per line. `# replaces:` lines give way to the code that follows
-(to nothing, if none follows); `# after:` and `# before:` lines stay, and the code goes below or above them. The lines
-must occur exactly once, at any depth of indentation; the code is moved to the right as far as they are, so indentation
-counts in relation to them only. A file without changes is a whole program.
+Each change names lines of that program, one comment per line. The code that follows replaces the `# replaces:` lines;
+without code, they are deleted. `# after:` and `# before:` lines stay, and the code goes below or above them. The named
+lines must occur exactly once, at any indentation. The code is indented like these lines, so only its relative
+indentation counts. A file without changes is a whole program.
 """
 
 import re
@@ -44,7 +44,7 @@ _CHANGE = re.compile(r"# (?P<verb>replaces|after|before):(?: (?P<text>.*))?")
 
 
 class WrongAnswerError(AuthoringError):
-    """A wrong answer cannot be read. The message begins with ``file:line``."""
+    """A wrong answer can't be read. The message begins with ``file:line``."""
 
     def __init__(self, path: Path, line: int, problem: str) -> None:
         super().__init__(f"{path}:{line}: {problem}")
@@ -52,37 +52,37 @@ class WrongAnswerError(AuthoringError):
 
 @dataclass(frozen=True)
 class Header:
-    """The header of a wrong answer: what the mistake is, and what it must cost."""
+    """A wrong answer's header: a description of the mistake, and the criteria that it must lose."""
 
     about: str
-    """What the mistake is; empty where a whole program says it in its docstring."""
+    """A description of the mistake; empty if the program's docstring describes it."""
     loses: frozenset[str]
     also: frozenset[str]
-    """Which it may lose as well, where a busy machine decides."""
+    """Criteria that may be lost as well, depending on how busy the machine is."""
     skips: frozenset[str] | None
     causes: frozenset[str]
-    """Of which the first lost criterion must carry one: more than one where milliseconds decide."""
+    """The first lost criterion must have one of these cause ids. There are several if milliseconds decide."""
     says: tuple[str, ...]
     soak: bool
     compiles: bool
     on: str | None
-    """None where the field is missing."""
+    """None if the field is missing."""
 
 
 @dataclass(frozen=True)
 class Change:
-    """Some lines of a program, and what stands there instead. Their indentation counts in relation to each other."""
+    """Some lines of a program and their replacement. Only their relative indentation counts."""
 
     line: int
-    """Of the file that holds the change."""
+    """The line of the wrong answer's file in which the change begins."""
     old: tuple[str, ...]
     new: tuple[str, ...]
-    """The old lines included where they stay."""
+    """The replacement, including the old lines if they stay."""
 
 
 @dataclass(frozen=True)
 class WrongAnswer:
-    """One wrong program with what it must lose."""
+    """A wrong answer: its header, its changes, and the resulting program."""
 
     path: Path
     header: Header
@@ -92,11 +92,7 @@ class WrongAnswer:
 
 
 def read_wrong_answers(tree: Tree, stem: str) -> tuple[WrongAnswer, ...]:
-    """All wrong answers to an exercise, sorted by name.
-
-    Raises:
-        WrongAnswerError: see `read_wrong_answer`.
-    """
+    """Read all wrong answers to an exercise, sorted by name. Raises the same exceptions as `read_wrong_answer`."""
     paths = (path for path in entries(tree.wrong_answers / stem) if path.suffix == ".py")
     return tuple(read_wrong_answer(tree, path) for path in paths)
 
@@ -105,9 +101,9 @@ def read_wrong_answer(tree: Tree, path: Path) -> WrongAnswer:
     """Read one wrong answer; its folder names the exercise.
 
     Raises:
-        WrongAnswerError: a field is missing or unknown, a change does not apply exactly once, the changes change
-            nothing, or the program does not compile.
-        OSError: a file cannot be read.
+        WrongAnswerError: the header is invalid, a change doesn't apply exactly once, the program is unchanged, or
+            the header is wrong about whether it compiles.
+        OSError: a file can't be read.
     """
     lines = path.read_text(encoding="utf-8").splitlines()
     header, rest = _header(path, lines)
@@ -132,17 +128,17 @@ def read_wrong_answer(tree: Tree, path: Path) -> WrongAnswer:
 
 
 def read_header(path: Path) -> Header:
-    """Read only the header of a wrong answer.
+    """Read only a wrong answer's header.
 
     Raises:
-        WrongAnswerError: a field is missing, unknown or malformed.
-        OSError: the file cannot be read.
+        WrongAnswerError: a field is missing, unknown, or malformed.
+        OSError: the file can't be read.
     """
     return _header(path, path.read_text(encoding="utf-8").splitlines())[0]
 
 
 def _header(path: Path, lines: Sequence[str]) -> tuple[Header, int]:
-    """The header, and the index of the first line after it."""
+    """Return the header, and the index of the first line after it."""
     about: list[str] = []
     fields: dict[str, list[str]] = {}
     end = 0
@@ -190,7 +186,7 @@ def _names(texts: Sequence[str]) -> frozenset[str]:
 
 
 def _only(path: Path, fields: dict[str, list[str]], name: str, value: str) -> bool:
-    """Whether a field is there that has this one value."""
+    """Return whether an optional field exists. Raises WrongAnswerError if its value isn't the only allowed one."""
     if name in fields and fields[name] != [value]:
         raise WrongAnswerError(path, 1, f"'# {name}:' must be '{value}', not {fields[name][0]!r}")
     return name in fields
@@ -224,7 +220,7 @@ def _changes(path: Path, lines: Sequence[str], start: int) -> Iterator[Change]:
 
 
 def _trimmed(lines: Sequence[str]) -> tuple[str, ...]:
-    """Without the empty lines before and after."""
+    """Return the lines without blank lines at the beginning and the end."""
     full = [index for index, line in enumerate(lines) if line.strip()]
     return tuple(line.rstrip() for line in lines[full[0] : full[-1] + 1]) if full else ()
 
@@ -280,7 +276,7 @@ def _dedented(lines: Sequence[str]) -> tuple[str, ...]:
 
 
 def _depth(lines: Sequence[str]) -> int:
-    """How many spaces all of these lines begin with; empty lines do not count."""
+    """Return the number of spaces that all lines begin with, ignoring blank lines."""
     return min((len(line) - len(line.lstrip(" ")) for line in lines if line.strip()), default=0)
 
 
@@ -291,7 +287,7 @@ def _moved(line: str, shift: int) -> str:
 
 
 def _compile_problem(text: str) -> str:
-    """Why Python cannot compile a program; empty if it can."""
+    """Return the reason why Python can't compile a program; "" if it can."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

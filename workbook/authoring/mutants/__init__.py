@@ -1,5 +1,5 @@
-"""Mutants: right programs with one small fault each, to find out what the judge of an exercise lets through.
+"""Mutation testing of an exercise's judge. A mutant is a right answer with one small fault.
 
-Operators make them from the syntax tree of a program, the real judge judges them, and a report in `tests/mutants/`
-keeps those with full marks. Needs LibCST, which is a tool of authors (`make env EXTRAS=dev`).
+Operators generate mutants from a program's syntax tree, and the real judge judges them. The reports in `tests/mutants/`
+list the survivors, which got full marks. This package needs LibCST from the authors' extra (`make env EXTRAS=dev`).
 """

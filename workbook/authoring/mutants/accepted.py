@@ -1,4 +1,4 @@
-"""Classes of mutants that a teacher accepts, told by a rule on the node that was changed."""
+"""Recognize classes of mutants that instructors accept, by rules on the changed syntax node."""
 
 from collections.abc import Iterator, Mapping
 
@@ -17,13 +17,13 @@ CLASSES: Mapping[str, str] = {
     "poll-time": "how long one poll of the executor waits may be chosen",
     "whole-number": "comparisons, calculations and timers treat 2 and 2.0 alike",
 }
-"""What each class means. A report may name some as judged in its exercise."""
+"""Why each class is accepted. A report can list classes that count as faults in its exercise (`judged_here`)."""
 NEVER_JUDGED = ("log-text",)
-"""Classes of which no mutant has to be run."""
+"""Mutants of these classes are never run."""
 LOGS = ("debug", "info", "warn", "warning", "error", "fatal", "exception")
 MAKES_NODES = ("__init__", "Node", "create_node")
 DEPTH_PLACE = {"create_publisher": 2, "create_lifecycle_publisher": 2, "create_subscription": 3}
-"""Where the depth stands among the arguments, counted from 0."""
+"""Position of the queue depth among the arguments, counted from 0."""
 ENDS = (
     "shutdown",
     "try_shutdown",
@@ -33,7 +33,7 @@ ENDS = (
     "destroy_subscription",
 )
 RUNS = ("rclpy.ok()", "ok()")
-"""Conditions of a loop that ends when the program does."""
+"""Conditions of loops that end when the program is shut down."""
 TAKES_SECONDS = ("create_timer", "sleep", "create_rate", "Duration")
 POLLS = ("spin_once", "spin_until_future_complete")
 COMPUTES = (cst.Comparison, cst.ComparisonTarget, cst.BinaryOperation, cst.UnaryOperation)
@@ -41,7 +41,7 @@ END_EXCEPTIONS = ("KeyboardInterrupt", "ExternalShutdownException", "SystemExit"
 
 
 def classes_of(edit: Edit, view: View) -> Iterator[str]:
-    """The classes that an edit belongs to."""
+    """Yield the accepted classes that an edit belongs to."""
     node = edit.old
     around = list(view.ancestors(node))
     if _is_logging(node) or any(isinstance(one, cst.Call) and _logs(one) for one in around):
@@ -69,7 +69,7 @@ def classes_of(edit: Edit, view: View) -> Iterator[str]:
 
 
 def _is_logging(node: cst.CSTNode) -> bool:
-    """Whether a whole statement does nothing but print or log."""
+    """Return whether the node is a statement that only prints or logs."""
     if not isinstance(node, cst.SimpleStatementLine) or not isinstance(node.body[0], cst.Expr):
         return False
     call = node.body[0].value
@@ -86,7 +86,7 @@ def _logs(call: cst.Call) -> bool:
 
 
 def _is_depth(inner: cst.CSTNode, outer: cst.CSTNode) -> bool:
-    """Whether `inner` is the argument that tells the call `outer` the depth of a queue."""
+    """Return whether `inner` is the argument of the call `outer` that sets a queue depth."""
     if isinstance(inner, cst.Arg) and isinstance(outer, cst.Call):
         keyword = inner.keyword.value if inner.keyword is not None else None
         if keyword == "depth":
@@ -109,7 +109,7 @@ def _names_a_node(around: list[cst.CSTNode]) -> bool:
 
 
 def _ends(node: cst.CSTNode) -> bool:
-    """Whether a whole statement does nothing but end or clean up."""
+    """Return whether the node is a statement that only shuts down or destroys something."""
     if not isinstance(node, cst.SimpleStatementLine) or not isinstance(node.body[0], cst.Expr):
         return False
     call = node.body[0].value
@@ -117,7 +117,7 @@ def _ends(node: cst.CSTNode) -> bool:
 
 
 def _handles_the_end(node: cst.CSTNode) -> bool:
-    """Whether this is a handler of Ctrl-C or of a request to end."""
+    """Return whether the node is an exception handler for Ctrl-C or a shutdown."""
     if not isinstance(node, cst.ExceptHandler) or node.type is None:
         return False
     types = [one.value for one in node.type.elements] if isinstance(node.type, cst.Tuple) else [node.type]
@@ -134,7 +134,10 @@ def _is_init(node: cst.CSTNode) -> bool:
 
 
 def _only_computes(number: cst.CSTNode, view: View) -> bool:
-    """Whether a number is compared, computed with, or tells a time: then it does not get into a message as it is."""
+    """Return whether a number is only compared, computed with, or used as a duration.
+
+    Such a number never gets into a message unchanged, so its type doesn't matter.
+    """
     parent = view.parent(number)
     call = view.parent(parent) if isinstance(parent, cst.Arg) else None
     return isinstance(parent, COMPUTES) or (isinstance(call, cst.Call) and called_name(call) in TAKES_SECONDS)
@@ -147,7 +150,7 @@ def _is_poll_time(arg: cst.Arg, view: View) -> bool:
 
 
 def _drops_poll_time(edit: Edit) -> bool:
-    """Whether an edit takes the time that a poll waits away, and nothing else."""
+    """Return whether an edit only removes a polling call's `timeout_sec`."""
     old, new = edit.old, edit.new
     if not isinstance(old, cst.Call) or not isinstance(new, cst.Call) or called_name(old) not in POLLS:
         return False
@@ -156,7 +159,7 @@ def _drops_poll_time(edit: Edit) -> bool:
 
 
 def _is_unused_default(node: cst.CSTNode, param: cst.Param, view: View) -> bool:
-    """Whether the node is in the default of a parameter that every call of its function passes."""
+    """Return whether the node is in the default of a parameter for which every call passes a value."""
     function = view.function(param)
     if (
         function is None
@@ -165,7 +168,7 @@ def _is_unused_default(node: cst.CSTNode, param: cst.Param, view: View) -> bool:
     ):
         return False
     name = function.name.value
-    if name == "__init__":  # called by the name of its class
+    if name == "__init__":  # it is called through the class name
         holder = next((one for one in view.ancestors(function) if isinstance(one, cst.ClassDef)), None)
         name = holder.name.value if holder is not None else name
     params = [one.name.value for one in function.params.params if one.name.value != "self"]

@@ -1,4 +1,4 @@
-"""Operators on calls: a near function, an argument less, two arguments in each other's place."""
+"""Operators on calls: replace a function with a similar one, drop an argument, or swap two arguments."""
 
 from collections.abc import Iterator, Sequence
 
@@ -17,14 +17,14 @@ PAIRS = (
     ("Float32", "Float64"), ("Int32", "Int64"), ("Float32MultiArray", "Float64MultiArray"),
     ("nanoseconds", "seconds_nanoseconds"),
 )  # fmt: skip
-"""Names that are easily mistaken for each other, most of them of Python and rclpy."""
+"""Names that are easily confused with each other, mostly from Python and rclpy."""
 NEAR = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
 NOT_CALLED = ("RELIABLE", "BEST_EFFORT", "TRANSIENT_LOCAL", "VOLATILE", "KEEP_LAST", "KEEP_ALL")
 MESSAGES = ("Float32", "Float64", "Int32", "Int64", "Float32MultiArray", "Float64MultiArray")
 
 
 def near_calls(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A near function, class or policy."""
+    """Yield edits that replace a function, class, or QoS policy with a similar one."""
     if isinstance(node, cst.Call):
         name = last_name(node.func)
         if name in NEAR and name not in MESSAGES:
@@ -39,7 +39,10 @@ def _renamed(func: cst.BaseExpression, name: str) -> cst.BaseExpression:
 
 
 def unwrapped(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """The argument in place of a call that has one: `x` for `float(x)`; for two, either: `0.0` for `max(0.0, x)`."""
+    """Yield edits that replace a call with one of its arguments, if it has only one or two positional arguments.
+
+    `float(x)` becomes `x`, and `max(0.0, x)` becomes `0.0` or `x`.
+    """
     if not isinstance(node, cst.Call) or isinstance(view.parent(node), (cst.Expr, cst.Await, cst.WithItem)):
         return
     plain = [arg.value for arg in node.args if arg.keyword is None and not arg.star]
@@ -49,7 +52,7 @@ def unwrapped(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def fewer_arguments(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A keyword argument left out."""
+    """Yield edits that drop a keyword argument."""
     if isinstance(node, cst.Call):
         for arg in node.args:
             if arg.keyword is not None:
@@ -58,7 +61,7 @@ def fewer_arguments(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def swapped_arguments(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Two neighbors among the positional arguments, exchanged."""
+    """Yield edits that swap two neighboring positional arguments."""
     if not isinstance(node, cst.Call):
         return
     count = sum(arg.keyword is None and not arg.star for arg in node.args)
@@ -69,7 +72,7 @@ def swapped_arguments(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def _listed(args: Sequence[cst.Arg]) -> list[cst.Arg]:
-    """Arguments with commas between them, as they stand on one line."""
+    """Return the arguments separated by commas, for a call on one line."""
     comma = cst.Comma(whitespace_after=cst.SimpleWhitespace(" "))
     plain = cst.SimpleWhitespace("")
     return [

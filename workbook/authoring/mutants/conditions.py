@@ -1,4 +1,4 @@
-"""Operators on comparisons, conditions and arithmetic."""
+"""Operators on comparisons, conditions, and arithmetic."""
 
 from collections.abc import Iterator
 
@@ -18,7 +18,7 @@ TURNED: dict[type[cst.BaseCompOp], tuple[cst.BaseCompOp, ...]] = {
     cst.Is: (cst.IsNot(),),
     cst.IsNot: (cst.Is(),),
 }
-"""For each comparison the near ones: its border moved, and its contrary."""
+"""Replacements for each comparison operator: one with a shifted boundary, and the opposite."""
 SWAPPED: dict[type[cst.BaseBinaryOp], cst.BaseBinaryOp] = {
     cst.Add: cst.Subtract(),
     cst.Subtract: cst.Add(),
@@ -36,7 +36,7 @@ SWAPPED_IN_PLACE: dict[type[cst.BaseAugOp], cst.BaseAugOp] = {
 
 
 def comparisons(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A comparison turned; one of the two of a chain such as `0 <= x <= 100` left out."""
+    """Yield edits that change a comparison operator, or drop one half of a chain such as `0 <= x <= 100`."""
     if not isinstance(node, cst.Comparison):
         return
     for target in node.comparisons:
@@ -49,7 +49,7 @@ def comparisons(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def conditions(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A condition negated, always true or always false; the filter of a comprehension left out."""
+    """Yield edits that negate a condition or make it constant, or that negate or drop a comprehension's filter."""
     if isinstance(node, (cst.If, cst.While, cst.IfExp, cst.Assert)):
         test = node.test
         yield Edit("condition", test, negated(test))
@@ -62,14 +62,14 @@ def conditions(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def negated(test: cst.BaseExpression) -> cst.BaseExpression:
-    """`not (test)`; what stood behind a `not`, if it began with one."""
+    """Return `not (test)`; if the test already begins with `not`, return its operand."""
     if isinstance(test, cst.UnaryOperation) and isinstance(test.operator, cst.Not):
         return test.expression
     return cst.UnaryOperation(cst.Not(), test.with_changes(lpar=[cst.LeftParen()], rpar=[cst.RightParen()]))
 
 
 def connectives(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """`or` for `and`, and one of the two sides left out; a `not` left out."""
+    """Yield edits that swap `and` and `or`, keep only one operand, or drop a `not` or a minus sign."""
     if isinstance(node, cst.BooleanOperation):
         other = cst.Or() if isinstance(node.operator, cst.And) else cst.And()
         yield Edit("connective", node, node.with_changes(operator=other))
@@ -80,7 +80,7 @@ def connectives(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def arithmetic(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Plus for minus, times for divided by; in place, too; `=` for `+=`."""
+    """Yield edits that replace an arithmetic operator, also in assignments such as `+=`, or turn `+=` into `=`."""
     if isinstance(node, cst.BinaryOperation) and type(node.operator) in SWAPPED:
         if not is_text(node.left) and not is_text(node.right):
             yield Edit("arithmetic", node, node.with_changes(operator=SWAPPED[type(node.operator)]))
@@ -92,5 +92,5 @@ def arithmetic(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def is_text(node: cst.CSTNode) -> bool:
-    """Whether an operand is a text, for which there is no arithmetic."""
+    """Return whether an operand is a string literal. Strings have no arithmetic."""
     return isinstance(node, (cst.SimpleString, cst.FormattedString, cst.ConcatenatedString))

@@ -1,4 +1,4 @@
-"""Which mutants are judged where there are too many: always the same ones, of all operators and all programs."""
+"""Select the mutants to judge if there are too many: always the same ones, from all operators and all programs."""
 
 import hashlib
 from collections import defaultdict
@@ -17,9 +17,10 @@ def draw(
     first: Container[str] = (),
     excused: Callable[[Mutant], bool] = lambda mutant: bool(mutant.classes),
 ) -> list[Mutant]:
-    """At most `most` mutants: those with an id in `first`, then those with no excuse for full marks, then the rest.
+    """Select at most `most` mutants. The selection is the same in every run.
 
-    Mutants that no judge has to see (`accepted.NEVER_JUDGED`) are left out.
+    `excused` returns whether full marks are acceptable for a mutant. Unexcused mutants come first, beginning with those
+    whose ids are in `first`, and excused ones follow. Mutants of the classes in `accepted.NEVER_JUDGED` are left out.
     """
     judged = [one for one in mutants if not set(one.classes).intersection(NEVER_JUDGED)]
     known = [one for one in judged if one.id in first and not excused(one)]
@@ -30,7 +31,10 @@ def draw(
 
 
 def _in_turn(mutants: Sequence[Mutant]) -> Iterator[Mutant]:
-    """One of each operator and program, then the second one of each, and so on; within a group as if by chance."""
+    """Yield one mutant per operator and program, then a second one of each, and so on.
+
+    Within a group, the order is pseudorandom, but the same in every run.
+    """
     groups: dict[tuple[str, str], list[Mutant]] = defaultdict(list)
     for one in sorted(mutants, key=_lot):
         groups[one.operator, one.base].append(one)

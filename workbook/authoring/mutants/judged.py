@@ -1,4 +1,4 @@
-"""Judges mutants as answers are judged, and remembers each outcome as long as program and judge stay the same."""
+"""Judge mutants like students' answers. An outcome is cached until the program or the judge changes."""
 
 import hashlib
 import json
@@ -15,27 +15,27 @@ from workbook.grading.judges import Job
 JUDGES_WITH = (
     "criteria", "exercise", "inside", "isolation", "programs", "recording", "ros", "typechecking", "watching",
 )  # fmt: skip
-"""The packages of the workbook that a judgement depends on."""
+"""The subpackages of `workbook` that a judgment depends on."""
 JudgeAll = Callable[[Sequence[Job[str]]], Iterator[tuple[Job[str], Judgement]]]
 
 
 @dataclass(frozen=True)
 class Marks:
-    """What the judge said of a program: the criteria that it lost, and the cause of the first."""
+    """The outcome for one program: the criteria that it lost, and the cause id of the first lost one."""
 
     lost: tuple[str, ...]
     cause: str = ""
 
     @property
     def full_marks(self) -> bool:
-        """Whether nothing was lost."""
+        """Whether the program lost no criterion."""
         return not self.lost
 
 
 class Cache:
-    """Outcomes in a file, one a line; each is written at once, so that an interrupted run goes on where it was.
+    """Stores outcomes in a file, one per line. Each is written right away, so an interrupted run can be continued.
 
-    `judge_sha256` stands for everything that an outcome depends on besides the program.
+    `judge_sha256` must cover everything that affects an outcome, except the program itself.
     """
 
     def __init__(self, path: Path, judge_sha256: str) -> None:
@@ -43,11 +43,11 @@ class Cache:
         self._known: dict[str, Marks] = dict(_stored(path))
 
     def get(self, answer: Answer) -> Marks | None:
-        """What is known of a program; None if nothing is."""
+        """Return a program's stored outcome; None if there is none."""
         return self._known.get(self._key(answer))
 
     def put(self, answer: Answer, outcome: Marks) -> None:
-        """Remember an outcome."""
+        """Store a program's outcome."""
         key = self._key(answer)
         self._known[key] = outcome
         self._path.parent.mkdir(parents=True, exist_ok=True)
@@ -59,7 +59,7 @@ class Cache:
 
 
 def _stored(path: Path) -> Iterator[tuple[str, Marks]]:
-    """The outcomes of a file, which may be missing; a torn line is left out."""
+    """Yield the keys and outcomes in a file. Skip incomplete lines. A missing file has no outcomes."""
     if not path.is_file():
         return
     for line in path.read_text(encoding="utf-8").splitlines():
@@ -72,7 +72,7 @@ def _stored(path: Path) -> Iterator[tuple[str, Marks]]:
 
 @cache
 def judge_sha256() -> str:
-    """One hash of the packages that run, record and judge answers."""
+    """Return a hash of the packages that run, record, and judge answers."""
     package = Path(__file__).resolve().parents[2]
     digest = hashlib.sha256()
     for name in JUDGES_WITH:
@@ -90,9 +90,10 @@ def judge_programs(
     say: Callable[[str, Marks], None] = lambda name, outcome: None,
     keep: Callable[[Marks], bool] = lambda outcome: True,
 ) -> dict[str, Marks]:
-    """The outcome of each program, by its name. Those that could not be judged are missing.
+    """Return the outcomes, keyed by program name. Programs that couldn't be judged are missing.
 
-    Only what the cache does not know is judged; it learns the outcomes that `keep` says yes to.
+    Programs with a cached outcome aren't judged again. New outcomes are passed to `say`, and cached if `keep` returns
+    true for them.
     """
     known = {name: cache.get(answer) for name, answer in programs.items()}
     found = {name: outcome for name, outcome in known.items() if outcome is not None}
@@ -108,7 +109,10 @@ def judge_programs(
 
 
 def outcome_of(tries: Iterable[Judgement]) -> Marks | None:
-    """What counts of some tries; None where the answer could not be judged, or all tries were inconclusive."""
+    """Return the outcome of the try that counts.
+
+    Return None if the answer couldn't be judged or if that try was inconclusive.
+    """
     judgement = counting([*tries])
     if judgement.status != "graded" or judgement.inconclusive_reason:
         return None

@@ -1,4 +1,4 @@
-"""Operators on literals: numbers, texts, truth values."""
+"""Operators on literals: numbers, strings, and booleans."""
 
 from collections.abc import Iterator
 
@@ -7,17 +7,20 @@ import libcst as cst
 from workbook.authoring.mutants.view import Edit, View
 
 LARGE = 10.0
-"""From here on, a whole number plus one is a near one, and not another order of magnitude."""
+"""For whole floats from this size on, adding or subtracting one is a small change, so we try that, too."""
 
 
 def literal(value: object) -> cst.BaseExpression:
-    """A value as source code; negative numbers in brackets, so that they fit anywhere."""
+    """Return a value as a syntax node. Negative numbers get parentheses, so that they fit anywhere."""
     code = repr(value)
     return cst.parse_expression(f"({code})" if code.startswith("-") else code)
 
 
 def numbers(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Another number: one more, one less, double, half, the other sign; an int for a float."""
+    """Yield edits that change a number. An int is changed by one; a float is doubled, halved, or negated.
+
+    A whole float also becomes an int and, from `LARGE` on, is changed by one. Zero becomes 1.0 or -1.0.
+    """
     if isinstance(node, cst.Integer):
         value = node.evaluated_value
         for other in (value + 1, value - 1):
@@ -39,7 +42,7 @@ def _floats(node: cst.Float, value: float) -> Iterator[Edit]:
 
 
 def texts(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Another text: longer, empty, or without one of the values in it."""
+    """Yield edits that lengthen or empty a string, or replace or reformat one value of an f-string."""
     if isinstance(node, cst.SimpleString) and isinstance(node.evaluated_value, str):
         value = node.evaluated_value
         for other in (value + "x", "") if value else ("x",):
@@ -53,6 +56,6 @@ def texts(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def booleans(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """True for False, and False for True."""
+    """Yield edits that flip `True` and `False`."""
     if isinstance(node, cst.Name) and node.value in ("True", "False"):
         yield Edit("boolean", node, cst.Name("False" if node.value == "True" else "True"))

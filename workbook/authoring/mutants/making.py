@@ -1,4 +1,4 @@
-"""Makes the mutants of one program: every operator at every place, each different program once."""
+"""Generate a program's mutants: apply every operator at every place, and keep each distinct program once."""
 
 import ast
 import hashlib
@@ -37,16 +37,16 @@ OPERATORS: tuple[Operator, ...] = (
     state.kept_results,
 )
 TYPED = (*OPERATORS, state.missing_hints)
-"""For exercises that a type checker judges."""
+"""Operators for exercises that a type checker judges."""
 ID_LENGTH = 10
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """A program with one fault. `base` names the right program that it was made of: "solution" or "right/NAME.py".
+    """A program with one fault. `base` names the right answer it was made from: "solution" or "right/NAME.py".
 
-    `id` stays the same as long as the changed lines, their scope and the name of the base do; lines above may come and
-    go. `classes`: what speaks for it without a look at its judgement, see `accepted`.
+    `id` depends on the operator, the changed lines, their scope, and `base`, but not on the line number. `classes` are
+    the accepted classes that the mutant belongs to; see `accepted`.
     """
 
     id: str
@@ -61,10 +61,9 @@ class Mutant:
 
 
 def mutants_of(base: str, program: str, *, typed: bool = False) -> list[Mutant]:
-    """All mutants of a program that compile and do something else, in the order of their places.
+    """Return all mutants of a program that compile and differ in more than comments and layout, from top to bottom.
 
-    Raises:
-        libcst.ParserSyntaxError: the program is not Python.
+    Raises libcst.ParserSyntaxError if the program isn't Python.
     """
     view = View(program)
     seen = {_meaning(program)}
@@ -104,7 +103,7 @@ def _edits(view: View, operators: tuple[Operator, ...]) -> Iterator[Edit]:
 
 
 def _meaning(program: str) -> str | None:
-    """What two programs that do the same share, comments and layout aside; None if Python cannot compile it."""
+    """Return a form of the program that ignores comments and layout; None if Python can't compile the program."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -116,9 +115,9 @@ def _meaning(program: str) -> str | None:
 
 
 def changed_lines(before: str, after: str) -> tuple[str, str]:
-    """The lines in which two programs differ, without indentation, on one line each. `⏎` stands between lines.
+    """Return the lines in which two programs differ, each side joined by `⏎` and without indentation.
 
-    Where lines were only added or only taken away, both begin with the line above these.
+    If lines were only added or only removed, both sides begin with the line above the change.
     """
     old, new = before.splitlines(), after.splitlines()
     matching = SequenceMatcher(None, old, new, autojunk=False)

@@ -1,4 +1,4 @@
-"""The right programs of an exercise that mutants are made of: the solution, and two other right answers."""
+"""Select the programs that an exercise's mutants are made from: the solution and two other right answers."""
 
 import hashlib
 from collections.abc import Mapping, Sequence
@@ -17,12 +17,10 @@ MADE_BY = ("view", "literals", "conditions", "statements", "calls", "state", "ma
 
 
 def right_programs(tree: Tree, exercise: Exercise, names: Sequence[str] = ()) -> dict[str, Answer]:
-    """The solution and the right answers with these names, such as "one_timer.py".
+    """Return the solution and the right answers with these names, such as "one_timer.py".
 
-    Without names those two are taken that have least in common with the solution.
-
-    Raises:
-        AuthoringError: there is no right answer of such a name.
+    Without names, use the two right answers that are least similar to the solution. Raises AuthoringError if there is
+    no right answer with a given name.
     """
     solution = Answer(exercise.source.solution_code)
     there = {
@@ -42,13 +40,13 @@ def _likeness(one: Answer, other: Answer) -> float:
 
 
 def all_mutants(exercise: Exercise, programs: Mapping[str, Answer]) -> list[Mutant]:
-    """The mutants of all these programs."""
+    """Return the mutants of all programs. For a statically judged exercise, include mutants of type hints."""
     typed = exercise.source.kind == "static"
     return [one for base, answer in programs.items() for one in mutants_of(base, answer.text, typed=typed)]
 
 
 def inputs_of(exercise: Exercise, programs: Mapping[str, Answer]) -> dict[str, str]:
-    """Hashes of what a report depends on: the operators, the programs, and what these are judged by."""
+    """Return the hashes of a report's inputs: the operators, the programs, and the code that judges them."""
     return {
         "criteria": exercise.criteria_sha256,
         "operators": operators_sha256(),
@@ -58,7 +56,7 @@ def inputs_of(exercise: Exercise, programs: Mapping[str, Answer]) -> dict[str, s
 
 @cache
 def operators_sha256() -> str:
-    """One hash of the code that makes mutants."""
+    """Return a hash of the code that generates mutants."""
     digest = hashlib.sha256()
     for name in MADE_BY:
         digest.update(Path(__file__).with_name(f"{name}.py").read_bytes())

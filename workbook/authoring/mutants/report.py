@@ -1,6 +1,6 @@
-"""The report on one exercise, `tests/mutants/NN_slug.toml`: counts, and each mutant that got full marks.
+"""Reports on mutants, `tests/mutants/NN_slug.toml`: counts, and each mutant that got full marks.
 
-`make mutants` writes it. What an author says in it stays: `right`, `judged_here`, `[[free]]` and the reasons.
+`make mutants` writes them. It keeps the parts that authors write: `right`, `judged_here`, `[[free]]`, and the reasons.
 """
 
 import json
@@ -25,9 +25,9 @@ HEAD = """\
 
 @dataclass(frozen=True)
 class Free:
-    """A place where the task leaves the choice, so that what survives there is accepted, and why.
+    """A place where the task leaves the choice to the student. Mutants that survive there are accepted, for `reason`.
 
-    `scope` and `code` are patterns of the scope and of the lines that were changed; no `operators` means all.
+    `scope`, `code`, and `base` are patterns for a mutant's scope, original lines, and base. No `operators` means all.
     """
 
     reason: str
@@ -37,7 +37,7 @@ class Free:
     base: str = "*"
 
     def covers(self, mutant: Mutant) -> bool:
-        """Whether a mutant changes this place."""
+        """Return whether a mutant is a change at this place."""
         return (
             fnmatchcase(mutant.scope, self.scope)
             and fnmatchcase(mutant.before, self.code)
@@ -48,7 +48,10 @@ class Free:
 
 @dataclass(frozen=True)
 class Survivor:
-    """A mutant that got full marks. `reason`: why it is accepted, or which hole it shows; empty: nobody has looked."""
+    """A mutant that got full marks.
+
+    `reason` says why the mutant is accepted, or which hole in the judge it reveals; empty until an author fills it in.
+    """
 
     id: str
     base: str
@@ -60,16 +63,16 @@ class Survivor:
 
     @property
     def accepted(self) -> bool:
-        """Whether an author accepts it."""
+        """Whether an author has accepted this mutant."""
         return self.reason.startswith(ACCEPTED)
 
 
 @dataclass(frozen=True)
 class Report:
-    """What came out for one exercise.
+    """The result for one exercise.
 
-    `judged` = `killed` + `accepted` + `survived`. `accepted_as` counts those that a class or a free place accepts;
-    `killed_by` the mutants that a criterion was the first to fail. `inputs`: hashes of what the report depends on.
+    `judged` = `killed` + `accepted` + `survived`. `accepted_as` counts mutants accepted for a class or a free place.
+    `killed_by` counts the mutants by the first criterion that they lost. `inputs` are hashes of the report's inputs.
     """
 
     exercise: str
@@ -87,14 +90,14 @@ class Report:
     survivors: tuple[Survivor, ...] = ()
 
     def excuse(self, mutant: Mutant) -> str | None:
-        """Why a mutant of a class, or in a free place, is accepted; None if nothing speaks for it."""
+        """Return why a mutant is accepted: its class, or a free place's reason. Return None if neither applies."""
         for name in mutant.classes:
             if name not in self.judged_here:
                 return name
         return next((one.reason for one in self.free if one.covers(mutant)), None)
 
     def summary(self) -> str:
-        """The counts in one line."""
+        """Return the counts in one line."""
         holes = sum(one.reason.startswith(HOLE) for one in self.survivors)
         unread = sum(not one.reason for one in self.survivors)
         kinds = f" ({holes} holes, {unread} not looked at)" if self.survived else ""
@@ -105,7 +108,10 @@ class Report:
 
 
 def filled(before: Report, made: int, judged: Mapping[str, tuple[Mutant, tuple[str, ...]]]) -> Report:
-    """The report of a new run. `judged`: each mutant with the criteria that it lost; `before` gives what is kept."""
+    """Return the report of a new run. Keep the reasons and the authors' parts of the earlier report, `before`.
+
+    `judged` contains each judged mutant with the criteria that it lost.
+    """
     reasons = {one.id: one.reason for one in before.survivors}
     accepted_as, killed_by = Counter[str](), Counter[str]()
     survivors: list[Survivor] = []
@@ -137,10 +143,9 @@ def _survivor(mutant: Mutant, reason: str) -> Survivor:
 
 
 def read_report(path: Path) -> Report:
-    """The report in a file; an empty one where there is none.
+    """Read a report from a file. If there is no file, return an empty report.
 
-    Raises:
-        AuthoringError: the file holds no report.
+    Raises AuthoringError if the file isn't a report.
     """
     if not path.is_file():
         return Report(path.stem)
@@ -157,7 +162,7 @@ def read_report(path: Path) -> Report:
 
 
 def write_report(report: Report, path: Path) -> None:
-    """Write a report as TOML, in an order that makes differences easy to read."""
+    """Write a report as TOML, in an order that makes diffs easy to read."""
     path.parent.mkdir(parents=True, exist_ok=True)
     lines = [HEAD.rstrip()]
     tables: list[str] = []
@@ -187,5 +192,5 @@ def _pairs(values: Mapping[str, Any]) -> list[str]:
 
 
 def _text(value: object) -> str:
-    """A text, a number or a list of texts, as TOML; it writes them as JSON does."""
+    """Return a string, a number, or a tuple of strings as TOML, which has the same syntax for them as JSON."""
     return json.dumps(list(value) if isinstance(value, tuple) else value, ensure_ascii=False)

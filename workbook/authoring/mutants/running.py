@@ -1,4 +1,4 @@
-"""Makes, judges and reports the mutants of exercises: what `make mutants` runs."""
+"""Generate and judge the mutants of exercises, and write the reports. `make mutants` runs this."""
 
 import hashlib
 import os
@@ -21,15 +21,15 @@ from workbook.grading.slots.scheduler import judge_all
 
 Say = Callable[[str], None]
 WAITING = 3
-"""Slots for each processor where programs live on the wall clock: most of the time they wait."""
+"""Slots per processor for exercises on the wall clock, because their programs spend most of their time waiting."""
 CHANCES = 3
-"""How often a right program is judged before it is said to be wrong."""
+"""How many times a right answer is judged before we report that it doesn't get full marks."""
 
 
 def on_slots(slots: int | None = None) -> JudgeAll:
-    """Judges on so many slots of this machine, in the best tier that works.
+    """Return a function that judges jobs on this machine, with `slots` slots and the best available isolation.
 
-    Where no number is given, on one for each processor; on more where programs wait for real time.
+    Without a number, use one slot per processor, or `WAITING` if programs run on the wall clock.
     """
     from workbook.grading.single import best_isolation
 
@@ -47,10 +47,10 @@ def on_slots(slots: int | None = None) -> JudgeAll:
 def report_mutants(
     tree: Tree, stems: Iterable[str], judge: JudgeAll, *, most: int = MOST, say: Say = print
 ) -> list[Report]:
-    """Make and judge the mutants of these exercises, and write their reports.
+    """Generate and judge the mutants of these exercises, and write their reports. Return the reports.
 
     Raises:
-        AuthoringError: a right program does not get full marks, or a report cannot be read.
+        AuthoringError: a right answer doesn't get full marks, or a report can't be read.
     """
     reports = []
     for stem in stems:
@@ -61,7 +61,7 @@ def report_mutants(
 
 
 def report_one(tree: Tree, stem: str, judge: JudgeAll, *, most: int, say: Say = print) -> Report:
-    """Make and judge the mutants of one exercise, and write its report.
+    """Generate and judge the mutants of one exercise, and write and return its report.
 
     Raises:
         AuthoringError: see `report_mutants`.
@@ -100,14 +100,14 @@ def report_one(tree: Tree, stem: str, judge: JudgeAll, *, most: int, say: Say = 
 
 
 def cache_of(tree: Tree, exercise: Exercise) -> Cache:
-    """What is known of programs under these criteria and this judge."""
+    """Return the cache of outcomes under the exercise's current criteria and the current judge."""
     judged_by = f"{exercise.stem} {exercise.criteria_sha256} {judge_sha256()}"
     path = tree.root / "build" / "mutants" / f"{exercise.stem}.jsonl"
     return Cache(path, hashlib.sha256(judged_by.encode()).hexdigest())
 
 
 def _must_be_right(stem: str, programs: Mapping[str, Answer], cache: Cache, judge: JudgeAll) -> None:
-    """Judge the right programs themselves: the mutants of one that fails here prove nothing."""
+    """Raise AuthoringError unless all right answers get full marks: otherwise, their mutants would prove nothing."""
     for chances_left in reversed(range(CHANCES)):
         outcomes = judge_programs(stem, programs, cache, judge, keep=lambda outcome: outcome.full_marks)
         lost = {base: outcome for base, outcome in outcomes.items() if not outcome.full_marks}
@@ -125,11 +125,11 @@ def _must_be_right(stem: str, programs: Mapping[str, Answer], cache: Cache, judg
 
 
 def as_line(mutant: Mutant) -> str:
-    """A mutant in one line."""
+    """Return a line that describes a mutant with full marks."""
     place = f"{mutant.base}:{mutant.line} {mutant.scope}"
     return f"  full marks  {mutant.id}  {place}  [{mutant.operator}]  {mutant.before}  →  {mutant.after}"
 
 
 def report_path(tree: Tree, stem: str) -> Path:
-    """Where the report on an exercise is kept."""
+    """Return the path of an exercise's report."""
     return tree.mutants / f"{stem}.toml"

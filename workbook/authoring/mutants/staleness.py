@@ -1,4 +1,4 @@
-"""Whether the reports on mutants still speak of the programs and criteria that are there. Runs no program."""
+"""Check whether the mutant reports are still up to date with their programs and criteria, without running anything."""
 
 from collections.abc import Iterator
 
@@ -11,7 +11,7 @@ from workbook.exercise.source import SourceError
 
 
 def outdated_reports(tree: Tree) -> Iterator[Violation]:
-    """Notes for the author: a report is older than what it speaks of. That is no failure."""
+    """Yield a note for each report whose inputs have changed since it was made. These notes aren't failures."""
     for stem, report, inputs in _reports(tree):
         changed = sorted(name for name in inputs if report.inputs.get(name) != inputs[name])
         if changed:
@@ -20,15 +20,15 @@ def outdated_reports(tree: Tree) -> Iterator[Violation]:
 
 
 def lost_mutants(tree: Tree) -> Iterator[Violation]:
-    """Reports that cannot be read, or that name mutants which nobody can make any more."""
+    """Yield reports that can't be read, and mutants in reports that the operators no longer generate."""
     for stem in stems_in(tree.mutants, ".toml"):
-        if stem not in tree.exercise_stems():  # told as misplaced
+        if stem not in tree.exercise_stems():  # reported as misplaced
             continue
         try:
             yield from _lost(tree, stem)
         except AuthoringError as error:
             yield Violation(tree.name(tree.mutants / f"{stem}.toml"), str(error))
-        except (BrokenCriteria, SourceError):  # told with the exercise
+        except (BrokenCriteria, SourceError):  # reported with the exercise
             continue
 
 
@@ -48,13 +48,13 @@ def _lost(tree: Tree, stem: str) -> Iterator[Violation]:
 
 
 def _may_have_lost(tree: Tree, exercise: Exercise, report: Report) -> bool:
-    """Whether programs or operators are others than when the report was made; criteria make no mutants."""
+    """Return whether the programs or operators have changed since the report. Criteria don't affect the mutants."""
     inputs = inputs_of(exercise, right_programs(tree, exercise, report.right))
     return any(report.inputs.get(name) != inputs[name] for name in inputs if name != "criteria")
 
 
 def _reports(tree: Tree) -> Iterator[tuple[str, Report, dict[str, str]]]:
-    """Each report that can be read, with the hashes of today."""
+    """Yield the stem, the report, and the current input hashes of each readable report."""
     for stem in stems_in(tree.mutants, ".toml"):
         if stem in tree.exercise_stems():
             try:
@@ -65,6 +65,6 @@ def _reports(tree: Tree) -> Iterator[tuple[str, Report, dict[str, str]]]:
                 AuthoringError,
                 BrokenCriteria,
                 SourceError,
-            ):  # told with the exercise, or by `lost_mutants`
+            ):  # reported with the exercise, or by `lost_mutants`
                 continue
             yield stem, report, inputs

@@ -1,4 +1,4 @@
-"""Operators on state: a callback that remembers what it should not, or forgets what it should remember."""
+"""Operators on state: keep state that a function shouldn't keep, or reset state that it should keep."""
 
 from collections.abc import Iterator
 
@@ -8,10 +8,10 @@ from workbook.authoring.mutants.view import Edit, View, is_bare_text, statements
 
 SEEN = "mutant_seen"
 ONCE = (
-    f"if {SEEN}:\n    return\n{SEEN}.append(1)\n",  # the first time only
-    f"if not {SEEN}:\n    {SEEN}.append(1)\n    return\n",  # not the first time
-    f"{SEEN}.append(1)\nif len({SEEN}) % 2 == 0:\n    return\n",  # every second time
-    f"{SEEN}.append(1)\nif len({SEEN}) > 5:\n    return\n",  # for a while
+    f"if {SEEN}:\n    return\n{SEEN}.append(1)\n",  # only the first call works
+    f"if not {SEEN}:\n    {SEEN}.append(1)\n    return\n",  # the first call does nothing
+    f"{SEEN}.append(1)\nif len({SEEN}) % 2 == 0:\n    return\n",  # every second call does nothing
+    f"{SEEN}.append(1)\nif len({SEEN}) > 5:\n    return\n",  # only the first five calls work
 )
 NOT_TWICE = f"if {SEEN} == [repr({{name}})]:\n    return\n{SEEN}[:] = [repr({{name}})]\n"
 NOT_AGAIN = f"if repr({{name}}) in {SEEN}:\n    return\n{SEEN}.append(repr({{name}}))\n"
@@ -19,9 +19,10 @@ ENTRY = ("main", "__init__", "__post_init__")
 
 
 def forgetful_calls(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A function without a result that works the first time only, not the first time, every second time, or five times.
+    """Yield edits that make a function without a result skip some of its calls.
 
-    One with a parameter also ignores an argument that is the same as the last one, or that it had before.
+    It works only the first time, every time but the first, every second time, or five times. If it has a parameter,
+    further edits skip a call whose first argument equals the previous call's or any earlier call's first argument.
     """
     if not isinstance(node, cst.FunctionDef) or not _may_be_skipped(node):
         return
@@ -42,7 +43,7 @@ def _may_be_skipped(node: cst.FunctionDef) -> bool:
 
 
 def gives_a_result(function: cst.FunctionDef) -> bool:
-    """Whether a function returns or yields a value."""
+    """Return whether a function returns or yields a value."""
     waiting: list[cst.CSTNode] = [function.body]
     while waiting:
         node = waiting.pop()
@@ -54,7 +55,7 @@ def gives_a_result(function: cst.FunctionDef) -> bool:
 
 
 def _remembering(node: cst.FunctionDef, code: str) -> cst.FunctionDef:
-    """The function with `code` at its begin, and a list that outlives its calls."""
+    """Return the function with `code` at its beginning, and a mutable default argument that outlives each call."""
     hint = cst.Annotation(cst.parse_expression("list[object]"))
     seen = cst.Param(cst.Name(SEEN), hint, default=cst.parse_expression("[]"))
     params = node.params.with_changes(star_arg=cst.ParamStar(), kwonly_params=[seen])
@@ -62,7 +63,7 @@ def _remembering(node: cst.FunctionDef, code: str) -> cst.FunctionDef:
 
 
 def _begun_with(node: cst.FunctionDef, code: str) -> cst.FunctionDef:
-    """The function with `code` before its first statement."""
+    """Return the function with `code` before its first statement, but after its docstring."""
     body = node.body.body
     first = 1 if is_bare_text(body[0]) else 0
     new = [*body[:first], *cst.parse_module(code).body, *body[first:]]
@@ -70,7 +71,7 @@ def _begun_with(node: cst.FunctionDef, code: str) -> cst.FunctionDef:
 
 
 def lost_state(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """An attribute that another method changes is set back to its first value in each call of that method."""
+    """Yield edits that reset an attribute to its initial value at the beginning of each method that changes it."""
     if not isinstance(node, cst.FunctionDef) or node.name.value in ENTRY or not statements_of(node):
         return
     for name, value in _first_values(node, view).items():
@@ -79,7 +80,7 @@ def lost_state(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def _first_values(node: cst.FunctionDef, view: View) -> dict[str, str]:
-    """What `__init__` of the same class assigns to attributes, as source code."""
+    """Return the initial value of each attribute, as the source code that `__init__` of the node's class assigns."""
     found: dict[str, str] = {}
     inside = next((one for one in view.ancestors(node) if isinstance(one, cst.ClassDef)), None)
     for method in inside.body.body if inside is not None else ():
@@ -94,7 +95,7 @@ def _assigns(node: cst.FunctionDef, name: str) -> bool:
 
 
 def _assignments(node: cst.CSTNode) -> Iterator[tuple[str, cst.BaseExpression]]:
-    """Each attribute of `self` that is assigned to below a node, with the value."""
+    """Yield each attribute of `self` that is assigned below a node, with the assigned value."""
     if isinstance(node, (cst.Assign, cst.AnnAssign, cst.AugAssign)) and node.value is not None:
         targets = [one.target for one in node.targets] if isinstance(node, cst.Assign) else [node.target]
         for target in targets:
@@ -106,7 +107,7 @@ def _assignments(node: cst.CSTNode) -> Iterator[tuple[str, cst.BaseExpression]]:
 
 
 def kept_results(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A function with a result that is computed once and kept."""
+    """Yield edits that cache the results of a function."""
     if not isinstance(node, cst.FunctionDef) or not gives_a_result(node) or node.asynchronous is not None:
         return
     if node.name.value not in ENTRY and not node.decorators:
@@ -115,7 +116,7 @@ def kept_results(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def missing_hints(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A hint left out, or `object` in its place. For exercises that a type checker judges."""
+    """Yield edits that drop a type hint or replace it with `object`, for exercises that a type checker judges."""
     if isinstance(node, cst.Param) and node.annotation is not None:
         yield Edit("hint", node, node.with_changes(annotation=None))
         yield Edit("hint", node.annotation.annotation, cst.Name("object"))

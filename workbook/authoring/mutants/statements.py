@@ -1,4 +1,4 @@
-"""Operators on statements: dropped, cut short, run less often than they should be."""
+"""Operators on statements: drop them, return early, shorten loops, and handle fewer exceptions."""
 
 from collections.abc import Iterator
 
@@ -13,21 +13,21 @@ COMPOUND = (cst.If, cst.For, cst.While, cst.With)
 
 
 def drops(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A statement dropped; an `else` dropped; the body of an `if`, a loop or a `with` dropped with it."""
+    """Yield edits that drop a statement, an `else`, or a whole `if`, loop, or `with`."""
     if isinstance(node, cst.SimpleStatementLine):
         only = node.body[0] if len(node.body) == 1 else None
         is_hint = isinstance(only, cst.AnnAssign) and only.value is None
         if isinstance(only, DROPPED) and not is_hint and not is_bare_text(node):
             yield Edit("drop", node, PASS.with_changes(leading_lines=node.leading_lines))
     elif isinstance(node, COMPOUND):
-        if not isinstance(view.parent(node), cst.If):  # an `elif` cannot give way to `pass`
+        if not isinstance(view.parent(node), cst.If):  # `pass` can't replace an `elif`
             yield Edit("drop", node, PASS.with_changes(leading_lines=node.leading_lines))
         if isinstance(node, cst.If) and isinstance(node.orelse, cst.Else):
             yield Edit("drop", node.orelse, cst.RemoveFromParent())
 
 
 def early_returns(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A `return` before each statement of a function."""
+    """Yield edits that insert a `return` before a statement of a function."""
     if not isinstance(node, cst.FunctionDef):
         return
     for statement in statements_of(node):
@@ -45,7 +45,7 @@ def _returns(statement: cst.BaseStatement) -> bool:
 
 
 def loops(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """The first one only, all but the first, all but the last; `break` for `continue`."""
+    """Yield edits that limit a loop to the first item, skip the first or last item, or swap `break` and `continue`."""
     if isinstance(node, (cst.For, cst.CompFor)):
         for cut in ("[:1]", "[1:]", "[:-1]"):
             part = cst.parse_expression(f"list(x){cut}")
@@ -59,7 +59,7 @@ def loops(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def exceptions(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """A handler that raises again; one of several types not caught; no `finally`."""
+    """Yield edits that make a handler reraise, drop one of several caught types, or drop a `finally`."""
     if isinstance(node, cst.ExceptHandler) and isinstance(node.body, cst.IndentedBlock):
         again = node.body.with_changes(body=[cst.SimpleStatementLine([cst.Raise()])])
         yield Edit("exception", node, node.with_changes(body=again))

@@ -1,4 +1,4 @@
-"""A program as a syntax tree that knows where each node stands."""
+"""A program's syntax tree with the position and the parent of each node."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,12 +7,12 @@ import libcst as cst
 from libcst.metadata import MetadataWrapper, ParentNodeProvider, PositionProvider
 
 LEFT_ALONE = (cst.Annotation, cst.Import, cst.ImportFrom)
-"""What no operator looks into: imports, and hints, which only a type checker reads."""
+"""Nodes that operators skip: imports, and type hints, which only a type checker reads."""
 
 
 @dataclass(frozen=True)
 class Edit:
-    """One change of a program: the node `old` gives way to `new`. `operator` says what kind of change it is."""
+    """One change to a program: `new` replaces the node `old`. `operator` names the kind of change."""
 
     operator: str
     old: cst.CSTNode
@@ -20,10 +20,10 @@ class Edit:
 
 
 class View:
-    """The tree of one program, with parents, lines and names of scopes.
+    """The syntax tree of one program, with parents, lines, and scope names.
 
     Raises:
-        libcst.ParserSyntaxError: the program is not Python.
+        libcst.ParserSyntaxError: the program isn't valid Python.
     """
 
     def __init__(self, program: str) -> None:
@@ -33,7 +33,7 @@ class View:
         self._positions = wrapper.resolve(PositionProvider)
 
     def nodes(self) -> Iterator[cst.CSTNode]:
-        """All nodes from top to bottom, without docstrings, imports and hints."""
+        """Yield all nodes from top to bottom, except docstrings, imports, and type hints."""
         yield from self._below(self.module)
 
     def _below(self, node: cst.CSTNode) -> Iterator[cst.CSTNode]:
@@ -44,37 +44,40 @@ class View:
             yield from self._below(child)
 
     def parent(self, node: cst.CSTNode) -> cst.CSTNode | None:
-        """The node that holds this one; None for the module."""
+        """Return the parent node; None for the module."""
         return self._parents.get(node)
 
     def ancestors(self, node: cst.CSTNode) -> Iterator[cst.CSTNode]:
-        """The node itself, and all that hold it, from the inside out."""
+        """Yield the node itself and then its ancestors, innermost first."""
         one: cst.CSTNode | None = node
         while one is not None:
             yield one
             one = self.parent(one)
 
     def function(self, node: cst.CSTNode) -> cst.FunctionDef | None:
-        """The innermost function that the node stands in, or that it is."""
+        """Return the innermost function that contains the node or is the node; None if there is none."""
         return next((one for one in self.ancestors(node) if isinstance(one, cst.FunctionDef)), None)
 
     def scope(self, node: cst.CSTNode) -> str:
-        """The qualified name of the class or function that the node stands in, such as "Robot.tick"; "" at the top."""
+        """Return the qualified name of the innermost class or function around the node, such as "Robot.tick".
+
+        At module level, return "".
+        """
         names = [
             one.name.value for one in self.ancestors(node) if isinstance(one, (cst.FunctionDef, cst.ClassDef))
         ]
         return ".".join(reversed(names))
 
     def line(self, node: cst.CSTNode) -> int:
-        """The line that the node begins on."""
+        """Return the node's first line, counted from 1."""
         return int(self._positions[node].start.line)
 
     def code(self, node: cst.CSTNode) -> str:
-        """The source text of a node."""
+        """Return the source text of a node."""
         return self.module.code_for_node(node).strip()
 
     def edited(self, edit: Edit) -> str:
-        """The program after an edit."""
+        """Return the program after an edit."""
         if isinstance(edit.new, cst.RemovalSentinel):
             changed: object = self.module.deep_remove(edit.old)
         else:
@@ -84,7 +87,7 @@ class View:
 
 
 def is_bare_text(node: cst.CSTNode) -> bool:
-    """Whether a statement is a text and nothing else: a docstring."""
+    """Return whether a statement is only a string, such as a docstring."""
     return (
         isinstance(node, cst.SimpleStatementLine)
         and len(node.body) == 1
@@ -94,19 +97,19 @@ def is_bare_text(node: cst.CSTNode) -> bool:
 
 
 def called_name(call: cst.Call) -> str:
-    """The last part of the name that is called: "spin" of `rclpy.spin(node)`; "" if it has none."""
+    """Return the last part of the called name, such as "spin" for `rclpy.spin(node)`; "" if it isn't a name."""
     return last_name(call.func)
 
 
 def last_name(node: cst.CSTNode) -> str:
-    """The last part of a dotted name; "" for anything else."""
+    """Return the last part of a dotted name; "" for anything else."""
     if isinstance(node, cst.Attribute):
         return node.attr.value
     return node.value if isinstance(node, cst.Name) else ""
 
 
 def statements_of(function: cst.FunctionDef) -> list[cst.BaseStatement]:
-    """The statements of a function without its docstring; empty for one that is written on one line."""
+    """Return a function's statements without its docstring; an empty list if the function is written on one line."""
     if not isinstance(function.body, cst.IndentedBlock):
         return []
     return [one for one in function.body.body if not is_bare_text(one)]

@@ -1,0 +1,170 @@
+"""A hub with simulated students on this machine, for tests and for measuring."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TypeVar
+
+import psutil
+
+from deploy.jupyterhub.limits import PREFIX, remove_groups
+from deploy.jupyterhub.places import STUDENTS
+from tests.hub.simulated_student import SimulatedStudent
+from workbook.inside.orphans import adopt_orphans
+from workbook.inside.proc import running_users
+
+ROOT = Path(__file__).resolve().parents[2]
+FIRST_ID = 700_000
+PASSWORD = "for simulated students only"
+INSTRUCTOR = "instructor"
+PASSWORD_OF_INSTRUCTORS = "for a simulated instructor only, and long enough"
+LONGEST_WAIT_S = 300.0
+POLL_S = 0.2
+Returned = TypeVar("Returned")
+
+
+def wait_until(holds: Callable[[], bool], what: str) -> None:
+    """Wait for a condition that no event tells of. Raises AssertionError."""
+    deadline = time.monotonic() + LONGEST_WAIT_S
+    while not holds():
+        assert time.monotonic() < deadline, f"after {LONGEST_WAIT_S:g} s: {what}"
+        time.sleep(POLL_S)
+
+
+def at_once(
+    work: Callable[[SimulatedStudent], Returned], students: Sequence[SimulatedStudent]
+) -> list[Returned]:
+    """Have all students do something at the same time."""
+    with ThreadPoolExecutor(len(students)) as threads:
+        return list(threads.map(work, students))
+
+
+class ClassServer:
+    """A hub of its own, below a folder."""
+
+    def __init__(self, folder: Path, *options: str) -> None:
+        self.folder = folder
+        self.port = _three_ports()
+        self.log = folder.with_name(f"{folder.name}.log")
+        self._options = options
+        self._hub: subprocess.Popen[bytes] | None = None
+
+    @property
+    def address(self) -> str:
+        """Where browsers find it."""
+        return f"http://127.0.0.1:{self.port}"
+
+    def start(self) -> None:
+        """Start the hub, and wait until it answers."""
+        command = [
+            sys.executable,
+            "-m",
+            "jupyterhub",
+            "-f",
+            str(ROOT / "deploy/jupyterhub/jupyterhub_config.py"),
+        ]
+        environ = {
+            "CLASS_FOLDER": str(self.folder),
+            "CLASS_PASSWORD": PASSWORD,
+            "CLASS_INSTRUCTORS_PASSWORD": PASSWORD_OF_INSTRUCTORS,
+            "CLASS_PORT": str(self.port),
+            "PYTHONPATH": "",
+        }
+        with self.log.open("ab") as log:
+            self._hub = subprocess.Popen(
+                [*command, *self._options], cwd=ROOT, env=os.environ | environ, stdout=log, stderr=log
+            )
+        wait_until(self._answers, f"the hub does not answer; see {self.log}")
+
+    def _answers(self) -> bool:
+        assert self._hub is not None and self._hub.poll() is None, self.log.read_text(errors="replace")[
+            -3000:
+        ]
+        try:
+            return self.student("probe", log_in=False).get("/hub/health").ok
+        except OSError:
+            return False
+
+    def stop(self) -> None:
+        """End the hub as a service manager would. Servers stay."""
+        if self._hub is not None:
+            self._hub.send_signal(signal.SIGTERM)
+            self._hub.wait(LONGEST_WAIT_S)
+            self._hub = None
+
+    def student(self, name: str, *, log_in: bool = True) -> SimulatedStudent:
+        """A browser at this hub."""
+        password = PASSWORD_OF_INSTRUCTORS if name == INSTRUCTOR else PASSWORD
+        return SimulatedStudent(self.address, name, password if log_in else None)
+
+    def user_id(self, name: str) -> int:
+        """The user id of a student."""
+        return (self.folder / STUDENTS / name / "home").stat().st_uid
+
+    def processes(self, name: str) -> list[int]:
+        """What runs as a student."""
+        return [pid for pid, user in running_users() if user == self.user_id(name)]
+
+    def gates(self) -> list[psutil.Process]:
+        """The processes that hold the servers, which end with them."""
+        return [one for one in psutil.process_iter() if f"--hub={self.port + 1}" in _command_line(one)]
+
+    def groups(self) -> list[Path]:
+        """Cgroups of students' servers."""
+        return [*Path("/sys/fs/cgroup").rglob(f"{PREFIX}{self.port + 1}-*")]
+
+    def left(self) -> list[object]:
+        """Processes and cgroups of students that are still there, and files in folders for everybody."""
+        first, last = FIRST_ID, FIRST_ID + 1000
+        users = [pid for pid, user in running_users() if first <= user < last]
+        return [*self.gates(), *users, *self.groups()]
+
+    def end_everything(self) -> None:
+        """End the hub and all servers, whatever state they are in."""
+        self.stop()
+        for gate in self.gates():
+            gate.kill()
+        remove_groups(self.groups())
+
+
+def _command_line(process: psutil.Process) -> list[str]:
+    try:
+        return list(process.cmdline())
+    except psutil.Error:
+        return []
+
+
+def _three_ports() -> int:
+    """The first of three ports in a row that nobody listens to."""
+    while True:
+        with socket.socket() as any_port:
+            any_port.bind(("127.0.0.1", 0))
+            first = int(any_port.getsockname()[1])
+        try:
+            for port in range(first, first + 3):
+                socket.create_server(("127.0.0.1", port)).close()
+        except OSError:
+            continue
+        return first
+
+
+@contextmanager
+def class_server(folder: Path, *options: str) -> Iterator[ClassServer]:
+    """A running hub; in the end, all of it is ended.
+
+    What a stopped hub leaves behind becomes ours, and we don't reap it: as with a first process that isn't an init.
+    """
+    adopt_orphans()
+    server = ClassServer(folder, *options)
+    try:
+        server.start()
+        yield server
+    finally:
+        server.end_everything()
