@@ -6,10 +6,10 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - initialize ROS once and keep a node running until it is told to end
-#   - clean up after Ctrl-C, although the context is already shut down
-#   - end a program with exit code 0 and without a traceback
-#   - remove your node from the graph, so that no ghost of it stays
+#   - initializing ROS once and keeping a node running until Ctrl-C
+#   - cleaning up after Ctrl-C, when the context is already shut down
+#   - ending a program with exit code 0 and without a traceback
+#   - removing your node from the graph, so that it doesn't linger as a ghost
 # out_of_scope:
 #   - SIGTERM and signals other than the one that Ctrl-C sends (this rclpy loses some of them)
 #   - topics, and what the guard does on its rounds
@@ -18,12 +18,12 @@
 # %% [markdown]
 # # Exercise 01 · A guard that shuts down cleanly
 #
-# The museum's night guard is finished, except for its `main()`. At six in the morning, the day shift presses Ctrl-C.
-# Last week, the robot then froze in the middle of a step, with both arms in the air, and its screen showed a crash
-# report. On Tuesday, the graph still listed a guard whose program had ended long before. Write a `main()` that ends the
-# night properly.
+# The museum's night guard is a robot, and its program is complete except for `main()`. At six in the morning, the day
+# shift presses Ctrl-C. Last week, that froze the robot in mid-step, with both arms in the air and a crash report on its
+# screen. And on Tuesday, the graph still listed a guard whose program had ended long before. Write a `main()` that ends
+# the night properly.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson [01](../notebooks/01_the_context.ipynb).
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [01](../notebooks/01_the_context.ipynb).
 #
 # ## What to build
 #
@@ -39,8 +39,9 @@
 #
 # ## What is judged
 #
-# Your program runs in its own process for about 4 s. During this time, it has to log at least 4 lines, the last of them
-# within the last 1.5 s. Then the judge sends it the signal that Ctrl-C sends.
+# Your program runs in its own process for about {{WATCH_S}} s. During this time, it must log at least {{LEAST_ROUNDS}}
+# lines, including one in the final {{LONGEST_SILENCE_S}} s. Then the judge sends it SIGINT, the signal that Ctrl-C
+# sends.
 #
 # | points | criterion |
 # |---:|---|
@@ -51,7 +52,7 @@
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 # | 2 | its node is gone from the graph |
 #
-# **Not part of it:** SIGTERM, topics, the guard's log messages on its rounds, and how often it parks.
+# **Not judged:** SIGTERM, topics, the wording of the guard's log messages on its rounds, and how often the guard parks.
 # %% [answer]
 """A guard that walks through the museum at night, and parks its arms when the night is over."""
 
@@ -117,7 +118,7 @@ if __name__ == "__main__":
 # - Code in `finally` runs after the `except` block. It also runs after any other exception.
 # - On Ctrl-C, rclpy shuts the context down on its own, at about the same time as Python raises the exception. After
 #   that, `rclpy.shutdown()` would raise an exception, but `rclpy.try_shutdown()` doesn't.
-# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays on the graph.
+# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays in the graph.
 # %% [hint]
 # ```python
 # rclpy.init(args=args)
@@ -137,13 +138,13 @@ if __name__ == "__main__":
 # - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. This states the intention more clearly. But
 #   the context may be shut down between the check and the call, and on Ctrl-C, one of rclpy's threads does just that.
 #   `try_shutdown()` has the same gap inside. In both versions, the gap very rarely matters.
-# - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the spin. This is two lines shorter,
-#   and a good choice if the `except` block would be empty. But with the clean-up code simply placed after it, any other
-#   exception skips the clean-up.
+# - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the call to `spin`. This is two lines
+#   shorter, and a good choice if the `except` block would be empty. But if the cleanup code simply follows the `with`
+#   block, any other exception skips it.
 # - **Parking in `destroy_node`.** Override the method in the class, park there, and call `super().destroy_node()`. Then
 #   users of your class can't forget to park. But readers of `main()` no longer see that the arms will move.
 # - **`SignalHandlerOptions.NO`.** The context stays valid after Ctrl-C, so the guard could still publish "parked". You
-#   need this option if the last action uses ROS. But then something has to wake up the spin, such as the timer in this
-#   program. Also, SIGTERM then ends the program immediately.
+#   need this option if the last action uses ROS. But then something has to wake `spin` up, such as the timer in this
+#   program. Also, SIGTERM ends the program immediately.
 # - **Only `except KeyboardInterrupt`.** This gets full credit here. But on SIGTERM, the program would park the arms and
 #   then end with a traceback. Catching the second exception takes only half a line.

@@ -6,24 +6,24 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - put a node into a namespace
-#   - run one class twice under two names, without editing it
-#   - see on the graph which nodes are there and which should not be
+#   - putting a node into a namespace
+#   - creating two nodes with different names from one class, without editing it
+#   - checking the graph for missing and unwanted nodes
 # out_of_scope:
-#   - what is in the pictures, and real cameras
+#   - the images' content, and real cameras
 #   - launch files, and remapping single topics
 #   - how spin and executors work (lesson 06); the program does this for you
 # ---
 # %% [markdown]
 # # Exercise 02 · An eye in the back of the head
 #
-# Your humanoid can only see what's in front of it. So people who walk up from behind startle it, or it startles them.
-# That's why it gets a second camera, in the back of its head. The second camera is the same model as the first, and the
-# manufacturer's driver always calls its node `camera`. An edited driver would not last, because the next update would
-# overwrite your change. But the two nodes must not have duplicate names, and their names must show that they belong to
-# this robot.
+# Your humanoid sees only the area in front of it. So people who walk up from behind startle it, or it startles them.
+# That's why it's getting a second camera, in the back of its head. The second camera is the same model as the first,
+# and the manufacturer's driver always calls its node `camera`. There's no point in editing the driver, because its next
+# update would overwrite your change. But the two nodes need different names, and both names must show which robot they
+# belong to.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson [02](../notebooks/02_nodes.ipynb).
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [02](../notebooks/02_nodes.ipynb).
 #
 # ## What to build
 #
@@ -35,13 +35,14 @@
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
 # The topic names follow from the names of the two nodes, because the driver uses private and relative names. Both
-# cameras report on one topic, so each report begins with its camera's name: `rear_camera: none`. All that is
-# missing belongs into `make_cameras`: the class and `main` work as they are.
+# cameras publish their reports to the same topic, so each report begins with its camera's name: `rear_camera: none`.
+# Write all of your code in `make_cameras`. The class and `main` need no changes.
 #
 # ## What is judged
 #
-# Your program runs in its own process, and another process reads the graph and the topics. A rate may be 20 % higher or
-# lower than specified, and no gap may be longer than 1.5 periods.
+# Your program runs in its own process. The judge reads the graph and the topics from another process. A rate may be
+# {{rates.RATE_TOLERANCE %}} higher or lower than specified, and no gap may be longer than {{rates.LONGEST_GAP_PERIODS}}
+# periods.
 #
 # | points | criterion |
 # |---:|---|
@@ -53,8 +54,8 @@
 # | 2 | no other node is on the graph: no duplicate, no third node, none outside of `/robot` |
 # | 1 | the program is still running when the judge stops watching |
 #
-# **Not part of it:** the content of the images, launch files, how your program ends, and the text of the driver. The
-# judge sees what the driver does, and not whether you changed or copied it.
+# **Not judged:** the content of the images, launch files, how your program ends, and the driver's code. The judge
+# sees only what the driver does, not whether you changed or copied it.
 # %% [answer]
 """Two cameras on one robot, in front and in the back, with one driver."""
 
@@ -133,7 +134,7 @@ if __name__ == "__main__":
 # - `cli_args` is a list of the words that you would type in a terminal: first `"--ros-args"`, then `"-r"`, then the
 #   rule.
 # - The rule for a node's name is `__node:=new_name`, with two underscores, `:=`, and no spaces. The new name has no
-#   slash, because `namespace=` sets the part before it.
+#   slash, because `namespace=` sets everything before the name.
 # - Put every node that you create into the returned list. Otherwise, no executor spins it.
 #
 # [Passing arguments to nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html)

@@ -6,9 +6,9 @@
 # kind: function
 # clock: wall
 # objectives:
-#   - create a publisher, fill a message and publish it
-#   - publish any number so that the same number arrives
-#   - refuse any value that isn't a number with an error, instead of publishing 0.0
+#   - creating a publisher, and filling and publishing a message
+#   - publishing any number without changing its value
+#   - raising an error for any value that isn't a number, instead of publishing 0.0
 # out_of_scope:
 #   - timers and rates; other code calls your method
 #   - whether a charge makes sense (below 0 or above 100 %); only numbers from 0 to 100 are tried
@@ -19,14 +19,14 @@
 # # Exercise 03 · A battery report that never lies
 #
 # Last night, the guide robot drove home in the middle of a tour. Its log reported a charge of 64%, but its battery
-# topic reported 0.0. A new driver had returned the charge as an `int`, and the node put that `int` into a float
-# field. Depending on the build, this crashes the node (the Ubuntu packages of ROS) or publishes 0.0 (this build). In
-# the morning, it happened again: a cable was loose, the driver returned `None`, and the node published 0.0. So nobody
-# could tell a bug from an empty battery.
+# topic reported 0.0. A new driver had returned the charge as an `int`, and the node had put that `int` into a float
+# field. In this course's ROS build, the node then publishes 0.0; with the ROS packages for Ubuntu, it may crash. This
+# morning, a cable came loose, so the driver returned `None`, and the node published 0.0 again. So the staff couldn't
+# distinguish a bug from an empty battery.
 #
-# Rewrite the node so that `/robot/battery` carries only values that were really measured.
+# Rewrite the node so that `/robot/battery` carries only values that were actually measured.
 #
-# **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [03](../notebooks/03_publishers_and_messages.ipynb).
 #
 # ## What to build
@@ -47,31 +47,34 @@
 # | a value that only looks like a number | `True`, and `'50'`, which is a string | raises an error and publishes nothing |
 # | no measurement | `nan`, `inf`, `-inf`, also in one of NumPy's types | raises an error and publishes nothing |
 #
-# Each call is independent of earlier calls. Publish a number even if it was published before, and after an error,
-# publish the next number as usual. A call may come only a few milliseconds after the previous one.
+# Each call is independent of earlier calls. Publish a number even if you published the same number before. After an
+# error, publish the next number as usual. A call may come only a few milliseconds after the previous one.
 #
-# You choose which error to raise. `TypeError` for a wrong type and `ValueError` for a wrong value are usual.
+# You choose which error to raise. The usual choices are `TypeError` for a wrong type and `ValueError` for a wrong
+# value.
 #
 # ## What is judged
 #
-# A driver imports your file and creates one `BatteryPublisher`. It calls `publish_level` with 40 values, one after
-# another. Some are the values above, others are similar, and some occur more than once. The driver records whether
-# each call returned or raised an error. It also records whether anything was published before the first call. The
-# judge compares this record with the messages on the topic. Field checks are off, as they are by default in ROS.
+# A test program imports your file and creates one `BatteryPublisher`. (The feedback calls this program the driver; it
+# isn't the battery driver.) It calls `publish_level` with {{COUNT}} values, one after another. They include the values
+# above and similar ones, and some values occur more than once. The test program records whether each call returned or
+# raised an error. It also records whether anything was published before the first call. The judge compares this record
+# with the messages on the topic. rclpy doesn't check the types of fields here, because ROS turns these checks off by
+# default.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` |
-# | 2 | floats arrive within 0.00001, each only once |
+# | 2 | floats arrive within {{TOLERANCE}}, each only once |
 # | 1 | a measured `0.0` arrives |
-# | 2 | other numbers arrive as the same number, within 0.00001 |
+# | 2 | other numbers arrive as the same number, within {{TOLERANCE}} |
 # | 1 | `None`, words, a list, and a tuple are refused with an error |
 # | 1 | bools and strings such as `'50'` are refused with an error |
 # | 1 | `nan`, `inf`, and `-inf` are refused with an error |
 # | 1 | no `0.0` is published by mistake |
 #
-# **Not part of it:** timers, charges below 0 or above 100, other kinds of numbers (`Decimal`, `Fraction`, `complex`),
-# NumPy's bools, strings, and arrays, and bytes. Starting and ending the program isn't part of it, either. There's no
+# **Not judged:** timers, charges below 0 or above 100, bytes, other kinds of numbers (`Decimal`, `Fraction`,
+# `complex`), and NumPy's bools, strings, and arrays. Starting and ending the program isn't judged either. There's no
 # `main()`, because other code creates and spins your node.
 # %% [answer]
 """A node that reports the charge of the battery, and nothing but the charge."""

@@ -6,10 +6,10 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - subscribe to a topic with the right name, type and depth
-#   - write a callback that decides what happens to each message
-#   - pass messages on in the order in which they came
-#   - react once, and only once, to an impossible value
+#   - subscribing to a topic with the right name, type, and depth
+#   - writing a callback that decides what happens to each message
+#   - passing messages on in the order in which they arrived
+#   - reacting once, and only once, to an impossible value
 # out_of_scope:
 #   - timers and rates; the node acts only when a message comes
 #   - guessing what a bad reading should have been
@@ -18,24 +18,24 @@
 # %% [markdown]
 # # Exercise 04 · A monitor for the battery
 #
-# The guide robot has a new battery sensor and a bad cable. Most readings are correct. But sometimes the cable shakes,
-# and then the sensor publishes a charge that no battery can have. Last week, the robot relied on such a reading and lay
-# down in the middle of the hall. The cable can't be replaced until spring. So you write a monitor that subscribes to
-# the sensor, passes on possible readings, and raises an alarm for impossible ones. The robot's other programs then
-# subscribe to the monitor. A second robot with the same kind of sensor works in the same hall. Your monitor must ignore
-# that robot's sensor.
+# The guide robot has a new battery sensor and a bad cable. Most readings are correct. But when the cable shakes, the
+# sensor publishes a charge that no battery can have. Last week, the robot acted on one of these readings and lay down
+# in the middle of the hall. The cable can't be replaced until spring. Until then, a monitor has to filter the readings:
+# it passes on the good ones and raises an alarm for each bad one. The robot's other programs then subscribe to your
+# monitor instead of the sensor. A second robot with the same kind of sensor works in the same hall. Your monitor must
+# ignore that robot's sensor.
 #
-# **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [04](../notebooks/04_subscriptions_and_callbacks.ipynb).
 #
 # ## What to build
 #
-# One program that spins until it is stopped.
+# Write one program that spins until it's stopped.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
 # | `/robot/battery` | `Float32` | subscribes | charge in percent, about ten times a second, sometimes four at the same moment |
-# | `/monitor/battery` | `Float32` | publishes | each good reading: the same number, right away (within 0.5 s), in the same order |
+# | `/monitor/battery` | `Float32` | publishes | each good reading: the same number, right away (within {{AT_ONCE_S}} s), in the same order |
 # | `/monitor/alarm` | `String` | publishes | one text for each bad reading, with its value in it, such as `bad reading: -3.0`; one decimal is enough |
 #
 # | a reading is | when | your node |
@@ -43,29 +43,30 @@
 # | good | it is from 0 to 100 %, both included, no matter what came before it | passes it on, raises no alarm |
 # | bad | it is anything else: below 0, above 100 (`inf`, too), or not a number (`nan`) | does not pass it on, raises one alarm |
 #
-# The message types are those of `std_msgs.msg`.
+# All message types are from `std_msgs.msg`.
 #
 # ## What is judged
 #
-# Your program runs as a separate process. The judge publishes about fifty readings on `/robot/battery`, good and bad
-# ones, and a few on `/other_robot/battery`. Then it compares these readings with the messages that your program
-# published.
+# Your program runs as a separate process. The judge publishes about fifty readings, both good and bad, on
+# `/robot/battery`, and a few on `/other_robot/battery`. Then it compares these readings with the messages that your
+# program published.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | it subscribes to `/robot/battery`, with the type `Float32` |
 # | 1 | `/monitor/battery` carries `Float32` |
-# | 2 | all good readings are passed on, at once, in the right order |
-# | 1 | no bad reading is passed on, and nothing is sent in its place |
+# | 2 | all good readings are passed on, right away, in the right order |
+# | 1 | no bad reading is passed on, nor anything in its place |
 # | 1 | `/monitor/alarm` carries `String` |
 # | 2 | one alarm for each bad reading, with its value |
 # | 1 | no alarm for good readings |
 # | 1 | it ignores `/other_robot/battery` |
 #
-# The program may have any form: a class, a function as a callback, two nodes, another executor. On a busy machine, up
-# to one good reading in ten may come later than 0.5 s.
+# You may structure the program any way you like: with a class, a function as the callback, two nodes, or a different
+# executor. On a busy machine, up to one good reading in ten may take longer than {{AT_ONCE_S}} s.
 #
-# **Not part of it:** rates, how fast an alarm comes, repairing bad readings, and how your program ends on Ctrl-C.
+# **Not judged:** rates, how quickly an alarm is raised, repairing bad readings, and how your program ends on
+# Ctrl-C.
 # %% [answer]
 """Subscribes to the battery sensor, passes on good readings, and raises an alarm for bad ones."""
 
@@ -130,10 +131,11 @@ if __name__ == "__main__":
 #
 # READINGS = [64.0, 63.5, -3.0, 63.0, 62.5]  # what the sensor says; try your own
 #
-# %start
 # init()
-# desk = fresh(BatteryDesk, READINGS)
+# desk = fresh(BatteryDesk, READINGS)  # while it's on the graph, the robot's own sensor pauses
+# %start
 # await run(desk, seconds=8, until=lambda: desk.done)
+# desk.destroy_node()  # from now on, the robot's sensor publishes again
 # print(desk.table())
 # %% [hint]
 # Begin with the subscription. At first, let its callback only call `self.get_logger().info(str(message.data))`. Start

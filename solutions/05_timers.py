@@ -6,9 +6,9 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - let a timer do repeated work, instead of a loop that sleeps
-#   - turn a frequency in hertz into a period in seconds
-#   - run three rates in one node, without disturbing each other
+#   - using a timer for repeated work, instead of a loop that sleeps
+#   - converting a frequency in hertz to a period in seconds
+#   - running three timers in one node, so that none delays the others
 # out_of_scope:
 #   - real sensors; all values are simulated and only their rates are judged
 #   - slow callbacks (lesson 10)
@@ -17,12 +17,12 @@
 # %% [markdown]
 # # Exercise 05 · Three rhythms in one robot
 #
-# Your humanoid leaves the workshop for its first walk. An operator far away needs three pieces of information. Is the
+# Your humanoid leaves the workshop for its first walk. A remote operator needs three pieces of information. Is the
 # robot alive? One heartbeat a second is enough. How much charge is left? The battery level changes slowly, so a message
 # every two seconds is enough. Is the robot about to fall? A fall takes only a second, so the operator needs the body's
 # tilt five times a second. Your node publishes all three, each at its own rate.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [05](../notebooks/05_timers.ipynb).
 #
 # ## What to build
@@ -33,17 +33,18 @@
 # | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
 # | `/robot/tilt` | `Float32` | 5 Hz | how far the body leans, in rad |
 #
-# The message types are those of `std_msgs.msg`. The starter already publishes the heartbeat. You add the battery and
-# the tilt. You can choose their values, as long as they are floats. (An `int` arrives as 0.0 here; with the Ubuntu
-# packages of ROS, it may crash the node.) Only the rates are judged.
+# All message types are from `std_msgs.msg`. The starter code already publishes the heartbeat. You add the battery and
+# the tilt. You can choose their values, as long as they are floats. (With this course's ROS build, an `int` arrives as
+# 0.0; with the ROS packages for Ubuntu, it may crash the node.) Only the rates are judged.
 #
 # ## What is judged
 #
-# Your program runs as its own process for one minute of robot time, which takes a few real seconds. Every message is
-# counted. One more or one less at the edge of the minute is fine. *Evenly* means: one period from one message to the
-# next, and never more than one and a half. The mean interval may differ from the period by 4 %, and the median interval
-# by a tenth. Programs that do not follow robot time are counted in the same way, for at least 8.5 real seconds. Of
-# their intervals, only the longest and the median are judged.
+# Your program runs as its own process for one minute of simulated time, which takes a few real seconds. The judge
+# counts every message. Each count may be off by one message at the start or end of the minute. *Evenly* means that
+# consecutive messages come about one period apart, and never more than one and a half periods apart. The mean interval
+# may differ from the period by at most {{rates.MEAN_TOLERANCE %}}, and the median interval by a tenth. If your program
+# uses the real clock instead, the judge counts its messages for at least 8.5 s of real time. In that case, it judges
+# only the longest interval and the median interval.
 #
 # | points | criterion |
 # |---:|---|
@@ -55,9 +56,10 @@
 # | 2 | 300 tilt values in the minute, evenly |
 # | 1 | the program is still running when the judge stops watching |
 #
-# The program may have any form: three timers, one timer that counts, several nodes, another executor.
+# You may structure the program any way you like: with three timers, one timer and a counter, several nodes, or a
+# different executor.
 #
-# **Not part of it:** real sensors, slow callbacks, other topics, and how your program ends on Ctrl-C.
+# **Not judged:** real sensors, slow callbacks, other topics, and how your program ends on Ctrl-C.
 # %% [answer]
 """The vital signs of a humanoid: heartbeat, battery and tilt, each in its own rhythm."""
 
@@ -137,9 +139,9 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [hint]
-# The starter's heartbeat already has every part that you need: a publisher, a timer, and a method that publishes. Look
-# at these three parts. How do they differ for each new topic? Watch the units: the task gives messages per second, but
-# a timer needs the seconds between two messages.
+# The starter code's heartbeat already has every part that you need: a publisher, a timer, and a method that publishes.
+# Look at these three parts. How do they differ for each new topic? Watch the units: the task gives messages per second,
+# but a timer needs the seconds between two messages.
 #
 # Nodes, topics, and more: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]
@@ -170,9 +172,9 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Use one timer that counts.** A single 5 Hz timer publishes the tilt at each tick, the heartbeat at every 5th tick,
-#   and the battery at every 10th. So all three always stay in step. But now the rates depend on each other: a heartbeat
-#   at 0.7 Hz would force you to rewrite the timer.
+# - **Use one timer and a counter.** A single 5 Hz timer publishes the tilt at each tick, the heartbeat at every 5th
+#   tick, and the battery at every 10th. So all three always stay in step. But now the rates depend on each other: a
+#   heartbeat at 0.7 Hz would force you to rewrite the timer.
 # - **Write `1 / 5` instead of `0.2`.** With `TILT_HZ = 5.0` and `create_timer(1.0 / TILT_HZ, ...)`, the code shows the
 #   same number as the task. This is useful if other people will change the rate.
 # - **Store the timer in an attribute.** You don't need `self.tilt_timer = self.create_timer(...)` to keep the timer

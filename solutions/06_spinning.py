@@ -6,10 +6,10 @@
 # kind: function
 # clock: wall
 # objectives:
-#   - run the callbacks of a node for a given time, then return
-#   - give every wait the right timeout
-#   - wait without using the processor
-#   - leave a node as you found it
+#   - running a node's callbacks for a given time, and then returning
+#   - choosing the right timeout each time you wait
+#   - waiting without using the processor
+#   - leaving a node as you found it
 # out_of_scope:
 #   - interrupting a running callback
 #   - running callbacks at the same time, in several threads (lesson 10)
@@ -18,47 +18,49 @@
 # %% [markdown]
 # # Exercise 06 · Spin for a given time
 #
-# Your humanoid stands in a test stand, which an ordinary Python program controls. The program moves an arm, lets the
+# Your humanoid is on a test stand that's controlled by an ordinary Python program. The program moves an arm, lets the
 # robot work for 1.5 s, reads a gauge, and lets the robot work for another second. It can't use `rclpy.spin`, because
-# that call doesn't return. Instead, it needs a function that *spins a node for some seconds and then returns*. The
-# function is called `pump`, because it keeps callbacks flowing like a pump.
+# that call doesn't return. Instead, it needs a function that *spins a node for a given number of seconds and then
+# returns*. The function is called `pump`, because it keeps callbacks flowing, the way a pump keeps water flowing.
 #
-# **About 25 minutes · difficulty 3 of 5 · 10 points.** You need lesson [06](../notebooks/06_spinning.ipynb).
+# **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [06](../notebooks/06_spinning.ipynb).
 #
 # ## What to build
 #
-# One function, `pump(node, seconds)`. It creates no node and does not call `rclpy.init`: the test stand does both.
+# Write one function, `pump(node, seconds)`. It must not create a node or call `rclpy.init`, because the test stand does
+# both.
 #
 # | | what `pump` does |
 # |---|---|
-# | while the time runs | runs every callback of `node` that is ready: timers and subscriptions |
-# | when the time is up | returns: not earlier, and at most one callback later; a callback that has begun is finished |
-# | as long as nothing is ready | waits, and does not use the processor |
-# | after that | nothing that it started keeps running; the node is as it was, and `pump` can be called again |
+# | until the time is up | runs every callback of `node` that's ready, for timers and subscriptions |
+# | when the time is up | returns, but not before that; a callback that's running is finished first, so it may be late by one callback |
+# | while no callback is ready | waits without using the processor |
+# | after it has returned | leaves nothing running and the node unchanged, so that you can call `pump` again |
 #
 # ## What is judged
 #
-# A driver imports your file and calls `pump` eight times, for 0.05 s to 2.1 s. It uses three robots. The first one has
-# a heartbeat (10 Hz), looks around (2 Hz), repeats each word that it receives, and has slow jobs of 0.4 s. The second
-# robot is quiet: it has no timer, and it receives four words, two of them near the end. The third robot has only slow
-# jobs. All robots publish a message for each thing that they do. The driver publishes when each call begins and ends,
-# and what the call changed on the node. It also reports whether a thread of the call keeps running afterward. (A pool
-# thread that only waits for work doesn't count.)
+# A test program, the driver, imports your file and calls `pump` eight times, for {{ASKED_S.5}} s to {{ASKED_S.1}} s
+# each. It uses three robots. The first one publishes a heartbeat (10 Hz), looks around (2 Hz), repeats each word that
+# it receives, and runs slow jobs ({{JOB_S}} s each). The second robot is quiet: it has no timer, and it receives four
+# words, two of them shortly before `pump` is due to return. The third robot has only slow jobs. Each robot publishes a
+# message whenever it does something. For each call, the driver reports when the call began and ended, and any changes
+# that the call made to the node. The driver also reports whether a thread that the call started is still running
+# afterward. (A pool thread that only waits for work doesn't count.)
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `pump` returns |
-# | 1 | after 2.1 s when asked for 2.1 s: at most 0.05 s earlier, at most 0.25 s later in the median of its calls |
-# | 2 | each of the 20 words that come in a burst is handled during the call |
-# | 1 | the timers keep their rate meanwhile: 80 % of the heartbeats or more, no silence over 0.3 s |
+# | 1 | after {{ASKED_S.1}} s when asked for {{ASKED_S.1}} s: at most {{EARLY_S}} s earlier, at most {{LATE_S}} s later in the median of its calls |
+# | 2 | each of the {{BURST_WORDS}} words that come in a burst is handled during the call |
+# | 1 | the timers keep their rate during the call: {{LEAST_SHARE %}} of the heartbeats or more, no silence over {{LONGEST_SILENCE_S}} s |
 # | 1 | further calls work, too: the second call handles the words that waited in the queue, and the short calls run callbacks, too |
-# | 1 | a queue of slow jobs delays its return by at most one job (0.4 s) and 0.25 s |
-# | 1 | it returns in time (0.25 s) from the quiet robot, too, and handles its words |
-# | 1 | it uses less than 12 % of a processor with the quiet robot, and less than 40 % with the one that has timers |
+# | 1 | a queue of slow jobs delays its return by at most one job ({{JOB_S}} s) and {{LATE_S}} s |
+# | 1 | it returns in time ({{LATE_S}} s) from the quiet robot, too, and handles its words |
+# | 1 | it uses less than {{PROCESSOR_SHARE %}} of a processor with the quiet robot, and less than {{SHARE_WITH_TIMERS %}} with the one that has timers |
 # | 1 | between two calls no callback and no thread of `pump` runs; the node has the same timers, periods, subscriptions, guard conditions and parameters |
 #
-# **Not part of it:** stopping a running callback, several threads, callbacks that raise, and simulated time. (Seconds
-# are real time, and so is the clock of the robots.)
+# **Not judged:** interrupting a running callback, multithreading, callbacks that raise exceptions, and simulated time.
+# (`seconds` is measured in real time, and the robots' clocks show real time, too.)
 # %% [answer]
 """Spins a node for a given time."""
 
@@ -98,10 +100,11 @@ def pump(node: Node, seconds: float) -> None:
 # from workbook.pictures.figures import show
 # from workbook.pictures.timeline import strip
 #
-# %start
 # init()
 # watcher = fresh(PumpWatcher)  # asks for pump(robot, 2.0), and sends ten words after a second
+# %start
 # await run(watcher, seconds=4.0)
+# watcher.destroy_node()  # from now on, the exercise's own node asks for pump(robot, 2.0), every 4 s
 # print("pump(robot, 2.0) took", "too long" if watcher.took is None else f"{watcher.took:.2f} s")
 # picture = strip(watcher.rows, periods={"heartbeats": 0.1}, end=3.0, noun="marks")
 # show(picture, "start and end of the call, the heartbeats of the robot, and the words that it handled")
@@ -114,9 +117,9 @@ def pump(node: Node, seconds: float) -> None:
 # %% [hint]
 # - The loop ends at a point in time, not after a number of iterations. Compute `time.monotonic() + seconds` once,
 #   before the loop. `time.monotonic()` is a clock that is never set back.
-# - If an iteration may wait longer than the time left, `pump` returns too late from a quiet node. If an iteration may
-#   not wait at all (`timeout_sec=0`), the loop keeps the processor busy.
-# - With `timeout_sec=None`, without a timeout, or with a *negative* one, `spin_once` waits forever if nothing becomes
+# - If an iteration may wait longer than the time left, `pump` returns too late when the node is quiet. If an iteration
+#   may not wait at all (`timeout_sec=0`), the loop keeps the processor busy.
+# - Without a timeout (`timeout_sec=None`), or with a *negative* one, `spin_once` waits forever if nothing becomes
 #   ready. So compute the time left once per iteration, and check it before you use it.
 # - The node isn't yours, so leave it as it is: no `destroy_node`, no `shutdown`, and no thread that keeps running.
 #
@@ -146,8 +149,8 @@ def pump(node: Node, seconds: float) -> None:
 #   different timeout in each call, the executor starts over with the first timer each time. If that timer's callback
 #   takes longer than its period, it runs in every iteration, and messages wait forever. The lesson shows this case.
 # - **Call `rclpy.spin_until_future_complete(node, Future(), timeout_sec=seconds)`.** Nothing completes this future, so
-#   the timeout ends the spinning. You write only one line, and rclpy runs the loop with the clock. But readers of your
-#   code have to know the trick.
+#   the timeout ends the spinning. You write only one line, and rclpy runs the loop and watches the time. But readers of
+#   your code have to know the trick.
 # - **Create a timer that completes a future after `seconds`.** This is elegant if an event ends the spinning anyway.
 #   Destroy the timer afterward; otherwise, it keeps firing and ends the next call early.
 # - **Use your own `SingleThreadedExecutor`.** `rclpy.spin_once(node)` uses the global executor, and adds and removes
@@ -159,5 +162,5 @@ def pump(node: Node, seconds: float) -> None:
 #   anymore.
 # - **Spin in another thread, and call `sleep(seconds)` here.** This works if you shut down the executor and join the
 #   thread before you return. But more can go wrong, and callbacks run in a thread that the caller doesn't expect.
-# - **Use `node.get_clock()` instead of `time.monotonic()`.** Then `seconds` are simulated time, so the call takes half
-#   as long in a simulation at double speed. Sometimes that's the right choice, but this task uses real time.
+# - **Use `node.get_clock()` instead of `time.monotonic()`.** Then `seconds` is measured in simulated time, so the call
+#   takes half as long in a simulation at double speed. Sometimes that's the right choice, but this task uses real time.

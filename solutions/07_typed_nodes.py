@@ -6,10 +6,10 @@
 # kind: static
 # clock: simulated
 # objectives:
-#   - annotate a node so that mypy --strict reports nothing
-#   - give a publisher a type, so that mypy reports a wrong message before the robot runs
-#   - list the allowed words with Literal
-#   - check values at run time, where hints have no effect
+#   - annotating a node so that mypy --strict reports nothing
+#   - giving a publisher a type, so that mypy reports a wrong message before the robot runs
+#   - listing the allowed words with Literal
+#   - checking values at run time, when type hints have no effect
 # out_of_scope:
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 #   - subscriptions, services and parameters
@@ -19,13 +19,13 @@
 # %% [markdown]
 # # Exercise 07 · A report that can't be misused
 #
-# The node below reports your humanoid's battery and status, and it works. From next week on, two other teams will call
+# The node below reports your humanoid's battery and status, and it works. Starting next week, two other teams will call
 # its methods: the charging team calls `send_battery`, and the planning team calls `send_status`. They don't know you or
-# your code. In last night's trial, one of them sent `"full"`, and the dashboard showed 0 %. Change the node so that
-# misuse can't go unnoticed. mypy must report it as soon as they check their code. If they don't use mypy, the node
-# itself must raise an exception.
+# your code. In last night's trial, one of the teams sent `"full"`, and the dashboard showed 0 %. Change the node so
+# that misuse can't go unnoticed. If the other teams check their code with mypy, mypy must report the misuse. If they
+# don't, the node itself must raise an exception.
 #
-# **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [07](../notebooks/07_typed_nodes.ipynb).
+# **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [07](../notebooks/07_typed_nodes.ipynb).
 #
 # ## What to build
 #
@@ -38,14 +38,14 @@
 # | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | publishes it as a float; raises an exception for anything else and publishes nothing |
 # | `send_status(word)` | exactly `"operational"` or `"error"` | publishes it; raises an exception for anything else and publishes nothing |
 #
-# The node still publishes its own reports: the battery at 1 Hz and the status at 0.5 Hz, each within 20 %. It is never
-# silent for more than one and a half periods. Other teams' calls don't change the charge or the status that the node
-# itself reports.
+# The node still publishes its own reports: the battery at 1 Hz and the status at 0.5 Hz, each within
+# {{rates.RATE_TOLERANCE %}}. No gap on either topic may be longer than one and a half periods. Calls from other teams
+# must not change the charge or the status that the node itself reports.
 #
 # ## What is judged
 #
 # First, mypy checks your program in strict mode, with this course's stubs. Then it checks code that uses your node
-# correctly, and code that misuses it. After that, your node runs, and the judge calls its methods, correctly and
+# correctly, and code that misuses it. After that, the judge runs your node and calls its methods, both correctly and
 # incorrectly.
 #
 # | points | criterion |
@@ -55,18 +55,18 @@
 # | 2 | mypy objects to a message of the wrong type |
 # | 1 | mypy objects to a value of the wrong type, to any other word, and to a call without a value |
 # | 1 | each call with a number publishes that number once, including a whole number, `0.0`, and the same number again |
-# | 2 | at run time, a wrong value or message raises an exception, and nothing is published |
+# | 2 | at run time, a wrong value or message raises an exception, without a message |
 # | 1 | at run time, the two words are published, also as messages of `status_publisher`; any other word raises an exception and isn't published |
 #
-# The judge ignores `# type: ignore`, and you may not write `Any`, because neither makes the node safer.
+# The judge ignores `# type: ignore`, and you may not write `Any`: both only hide errors from mypy.
 #
-# **Not part of it:**
+# **Not judged:**
 #
-# - how the program ends on Ctrl-C, subscriptions, services, parameters
-# - `True`, `nan`, and NumPy's numbers (exercise 03 was about those), and charges below 0 or above 100. You decide what
+# - subscriptions, services, parameters, and how the program ends on Ctrl-C
+# - `True`, `nan`, and NumPy numbers (exercise 03 covered those), and charges below 0 or above 100. You decide what
 #   happens to them.
-# - your `main()`. The judge creates a `RobotReport` itself. It watches for 12 s, so it never sees a battery that is
-#   empty later.
+# - your `main()`. The judge creates a `RobotReport` itself. It watches for only {{plan.simulated_s}} s, so it doesn't
+#   matter if the battery runs out later.
 # %% [answer]
 """Report a humanoid's battery and status. Other code sends through this node, too, and wrong types are noticed."""
 
@@ -212,8 +212,8 @@ if __name__ == "__main__":
 #
 # - **mypy on your program.** The cell under *Watch it run* shows all of mypy's messages. Without hints, mypy doesn't
 #   check a function's body, so begin with `-> None`.
-# - **mypy on the other teams' programs.** They use four names of your node. What does mypy know about each of them? Put
-#   `reveal_type(self.battery_publisher)` into your program, and mypy tells you.
+# - **mypy on the other teams' programs.** They use four of your node's names. What does mypy know about each of them?
+#   Put `reveal_type(self.battery_publisher)` into your program, and mypy tells you.
 # - **Run time.** What does `send_battery("full")` do if the caller doesn't use mypy? And `send_battery(42)`?
 #
 # The types that mypy understands: [typing, in Python's documentation](https://docs.python.org/3/library/typing.html)
@@ -221,11 +221,12 @@ if __name__ == "__main__":
 # - To mypy, an rclpy publisher accepts every message. So don't annotate your attribute as a `Publisher`. Describe what
 #   you need: an object with a `publish` method for one type. That's a `Protocol`, as in the lesson. One for each
 #   message type is enough.
-# - To cover all message types at once, write a function with `kind: type[Message]` that returns `Sends[Message]`
+# - To cover all message types together, write a function with `kind: type[Message]` that returns `Sends[Message]`
 #   (optional notebook 07, deeper).
 # - To allow two words and no others, use `Literal["operational", "error"]`. `get_args` returns the words at run time.
-# - The hint `float` also accepts `42`. The message would then contain 0.0, or the program may crash with the Ubuntu
-#   packages. And `float("87.5")` accepts a string. So check first (`isinstance`), then convert.
+# - The hint `float` also accepts `42`. Without a conversion, the message would contain 0.0, or, with the Ubuntu
+#   packages, the program might crash. But `float(level)` also accepts the string `"87.5"`. So check first
+#   (`isinstance`), then convert.
 #
 # Nodes, publishers, and messages: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]
@@ -262,8 +263,9 @@ if __name__ == "__main__":
 #   all nodes of a project use it.
 # - **Check in one place.** With `Float32(data=level, check_fields=True)`, the message itself rejects a string. It also
 #   rejects an int, so convert first. The exception is an AssertionError, and `python -O` switches the check off. Your
-#   own `raise` stays.
+#   own `raise` always works.
 # - **Use an Enum for the words,** `class Status(StrEnum)`. The words are then available at run time, too. Callers must
 #   write `Status.ERROR`, because mypy reports a plain `"error"` as an error. In this task, callers write plain words.
-# - **Newer Python, newer ROS.** From Python 3.12 on, you can write `class Sends[M](Protocol)`, without type variables.
-#   In newer ROS versions, `Publisher` itself is generic, and `Publisher[Float32]` does the job of `Sends[Float32]`.
+# - **Newer Python, newer ROS.** In Python 3.12 and later, you can write `class Sends[M](Protocol)`, without type
+#   variables. In newer ROS versions, `Publisher` itself is generic, and `Publisher[Float32]` does the job of
+#   `Sends[Float32]`.

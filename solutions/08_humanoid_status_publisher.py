@@ -6,10 +6,10 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - find a fault by what arrives on the topics, not by staring at the code
-#   - send a number in a float field so that it arrives as that number
-#   - turn a rate in hertz into the period of a timer
-#   - end a node on Ctrl-C with exit code 0
+#   - finding a fault by looking at the messages that arrive, not by staring at the code
+#   - sending a number in a float field so that it arrives unchanged
+#   - converting a rate in hertz to a timer period
+#   - ending a node on Ctrl-C with exit code 0
 # out_of_scope:
 #   - adding topics (exercise 09 does that)
 #   - reading a real battery (BatteryState) and what the robot should do when it is empty
@@ -19,11 +19,11 @@
 # # Exercise 08 · The humanoid status publisher
 #
 # The night shift left you a note: *"A colleague cleaned up the status publisher yesterday. It starts, it logs, and it
-# looks fine. But the dashboard says the battery is at 0 %, although the robot walks around. The battery topic is busier
-# than it should be. And the service manager reports a crash every time we stop the program."* These three complaints
-# come from three bugs. Fix them. The rest of the program is correct.
+# looks fine. But the dashboard says the battery is at 0 %, even though the robot is still walking around. The battery
+# topic is busier than it should be. And the service manager reports a crash every time we stop the program."* There are
+# three bugs, one behind each complaint. Fix them. The rest of the program is correct.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [08](../notebooks/08_humanoid_status_publisher.ipynb).
 #
 # ## What it has to do
@@ -37,31 +37,32 @@
 #
 # ## What is judged
 #
-# Your program runs in its own process for 36 s of robot time. The judge checks the messages that it publishes, and how
-# it ends after the signal that Ctrl-C sends.
+# Your program runs in its own process for {{plan.simulated_s}} s of simulated time. The judge checks the messages that your
+# program publishes, and how the program ends after the signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` |
 # | 2 | the charge really arrives: 100 % at first, or 100 % minus one step, then falling, and never below 0 |
-# | 2 | the battery comes at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` is as it was: `String`, 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), and the word that fits the charge |
+# | 2 | the battery is published at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
+# | 1 | `/robot/status` is unchanged: `String`, 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), and the word that fits the charge |
 # | 1 | the program runs until it is told to end |
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 #
-# First, run the program below without changing it. The dashboard shows two of the complaints, and `%check` shows the
-# third. You may change three places or rewrite the program.
+# First, run the program below without changing it. The dashboard shows two of the problems, and `%check` shows the
+# third. You may fix the three bugs in place or rewrite the program.
 #
-# This program simulates an old battery that's empty within half a minute, so that the judge also sees the status
-# change. The status may change to `error` as soon as the last charge above 0 is published. It must have changed by the
+# The program simulates an old battery that runs out within half a minute, so that the judge also sees the status
+# change. The status may change to `error` right after the last charge above 0 is published. It must have changed by the
 # time the battery topic reports 0 for the second time.
 #
-# The steps needn't be equal, and you may round the charge. So the first charge may be up to 1 % plus one and a half of
-# the largest steps below 100 %. If your program doesn't follow robot time, the judge may miss its first messages. In
-# that case, 1 % plus four steps are allowed.
+# The charge may fall in unequal steps, and you may round it. So the first charge that arrives may be below 100 %, by up
+# to {{batteries.ROUNDING}} % plus one and a half times the largest step. If your program uses the real clock instead,
+# the judge may miss the first messages. In that case, the first charge that it sees may be below 100 %, by up to
+# {{batteries.ROUNDING}} % plus four times the largest step.
 #
-# **Not part of it:** new topics, real batteries, signals other than the one that Ctrl-C sends, your log messages, and
-# how fast the battery drains. (If yours lasts longer than the judge watches, the judge never sees it empty.)
+# **Not judged:** new topics, real batteries, signals other than the one that Ctrl-C sends, your log messages, and how
+# fast the battery drains. (If your battery lasts longer than the judge watches, the judge never sees it run out.)
 # %% [answer]
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 
@@ -163,8 +164,8 @@ if __name__ == "__main__":
 # - **Too busy.** `create_timer` takes a *period* in seconds, but the comment next to the number gives a *frequency*.
 #   The period is 1 divided by the frequency.
 # - **The crash.** On Ctrl-C, rclpy shuts the context down on its own. Which call does the program make on the context
-#   after that? rclpy has a second function that raises no exception in this case; its name begins with `try_`. And
-#   `spin` may raise a second exception: `rclpy.executors.ExternalShutdownException`.
+#   after that? rclpy has another function that raises no exception in this case; its name begins with `try_`. And
+#   `spin` may raise another exception: `rclpy.executors.ExternalShutdownException`.
 #
 # Field types and their Python types: [About
 # interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)
@@ -200,7 +201,7 @@ if __name__ == "__main__":
 #   a service manager, or a program that was started with Ctrl-C ignored. If you catch both, you don't need to think
 #   about the cause.
 # - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** With this option, rclpy doesn't handle
-#   signals. So the context is still valid after Ctrl-C, and a plain `rclpy.shutdown()` is right. Use it if you need a
-#   last message, because `/robot/status` can be published only while the context is valid.
+#   signals. So the context is still valid after Ctrl-C, and a plain `rclpy.shutdown()` is right. Use it if you need to
+#   publish a last message, because `/robot/status` can be published only while the context is valid.
 # - **`sensor_msgs/msg/BatteryState`.** Real robots publish this type. It contains the voltage, the current, the charge
 #   from 0 to 1, the health of the cells, and a time stamp. `Float32` doesn't even state that the unit is percent.

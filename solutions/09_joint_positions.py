@@ -6,10 +6,10 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - add a third topic to a node that already works, without disturbing the other two
-#   - turn a rate in hertz into the period of a timer
-#   - fill the array field of a Float32MultiArray message
-#   - simulate a sensor whose values move, with angles in radians
+#   - adding a third topic to a working node without disturbing the other two
+#   - converting a rate in hertz to a timer period
+#   - filling the array field of a Float32MultiArray message
+#   - simulating a sensor whose readings, angles in radians, change over time
 # out_of_scope:
 #   - reading real encoders or commanding motors
 #   - named joints (JointState) and URDF, which come in a later lesson
@@ -19,11 +19,11 @@
 # # Exercise 09 · The joint positions
 #
 # Your humanoid already reports its state: *operational*, battery at 97 %. But the operator can't see how its body
-# moves. The operator's screen draws a robot with twelve joints, and that figure stands still, because no node publishes
-# the joint angles. Add a third topic to the status publisher, so that the figure on the screen moves with the robot.
+# moves. The operator's screen shows a figure of the robot with twelve joints, but the figure doesn't move, because no
+# node publishes the joint angles. Add a third topic to the status publisher, so that the figure moves with the robot.
 #
-# **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson [09](../notebooks/09_joint_positions.ipynb). The
-# starter below repeats the status publisher from lesson [08](../notebooks/08_humanoid_status_publisher.ipynb).
+# **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [09](../notebooks/09_joint_positions.ipynb). The
+# starter below contains the status publisher from lesson [08](../notebooks/08_humanoid_status_publisher.ipynb).
 #
 # ## What to build
 #
@@ -33,7 +33,7 @@
 # | `/robot/status` (as it is) | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
 # | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, falling, never rising |
 #
-# The figure on the screen expects the twelve angles in this order:
+# The screen expects the twelve angles in this order:
 #
 # - neck, waist
 # - left shoulder, left elbow, right shoulder, right elbow
@@ -41,12 +41,13 @@
 # - right hip, right knee, right ankle
 #
 # The message types are from `std_msgs.msg`. You choose how the simulated joints move: a sine wave, a random walk, or a
-# waving hand. At least two joints must change from message to message. (One message in four may repeat the previous
-# one, when a movement reverses.)
+# waving hand. At least two joints must change from message to message. (Up to one message in four may repeat the
+# previous one, for example when a movement reverses.)
 #
 # ## What is judged
 #
-# Your program runs in its own process for 26 s of robot time. The judge checks only the messages that it publishes.
+# Your program runs in its own process for {{plan.simulated_s}} s of simulated time. The judge checks only the messages that
+# your program publishes.
 #
 # | points | criterion |
 # |---:|---|
@@ -54,20 +55,20 @@
 # | 1 | every message has exactly 12 values |
 # | 1 | every value is a finite number within ±π rad |
 # | 1 | at least two joints move from message to message |
-# | 2 | the joint positions come at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` is as it was (0.8 to 1.2 Hz, no gap over 1.5 s; the word fits the charge) |
-# | 1 | `/robot/battery` is as it was (0.4 to 0.6 Hz, no gap over 3 s; falling) |
+# | 2 | the joint positions are published at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
+# | 1 | `/robot/status` is unchanged (0.8 to 1.2 Hz, no gap over 1.5 s; the word fits the charge) |
+# | 1 | `/robot/battery` is unchanged (0.4 to 0.6 Hz, no gap over 3 s; falling) |
 # | 1 | the program is still running when the judge stops watching |
 #
-# First of all, the program must start. If it never creates a publisher, the feedback explains why, and the rest isn't
-# judged. You may structure the program in any way: one class, several nodes, or another executor.
+# The program must start: if it never creates a publisher, the feedback explains why, and the rest isn't judged. You may
+# structure the program any way you like: as one class or several nodes, with any executor.
 #
-# **Not part of it:**
+# **Not judged:**
 #
 # - motors, real encoders, URDF, other topics
-# - which value belongs to which joint
-# - the battery's initial charge, and how fast it drains. (If yours lasts longer than the judge watches, the judge never
-#   sees it empty.)
+# - the order of the angles: the screen depends on it, but the judge doesn't check it
+# - the battery's initial charge, and how fast it drains. (If the battery lasts longer than the judge watches, that's
+#   fine.)
 # - how your program ends on Ctrl-C
 # %% [answer]
 """The humanoid status publisher: state, battery and the angles of twelve joints."""
@@ -184,7 +185,7 @@ if __name__ == "__main__":
 # Lesson [09](../notebooks/09_joint_positions.ipynb) answers all three with measurements. Write down your own answers
 # before you look.
 #
-# 1. Should the joint positions be published faster or slower than the battery level? Why?
+# 1. Should the joint positions be published more or less often than the battery level? Why?
 # 2. What would another node do with these angles, and how would it receive them?
 # 3. What happens if you publish them at 100 Hz instead of 0.5 Hz?
 # %% [live]
@@ -195,8 +196,8 @@ if __name__ == "__main__":
 
 # %% [hint]
 # The battery topic already has everything that you need: a publisher, a timer, and a method that fills a message. Find
-# these three places in the code. How does each of them differ for the joints? Be careful with the timer: it takes a
-# period, but the task specifies a rate.
+# these three places in the code. What has to be different for the joints? Be careful with the timer: it takes a period,
+# but the task specifies a rate.
 #
 # How topics work: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
@@ -218,8 +219,8 @@ if __name__ == "__main__":
 #     self.___.publish(message)
 # ```
 #
-# In `__init__` two lines make it run: one that creates the publisher you use here, one that creates a timer with this
-# method. You also need the import at the top.
+# In `__init__`, two lines make it run: one creates the publisher that you use here, and the other creates a timer with
+# this method. You also need the import at the top.
 #
 # The same steps for a String: [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
@@ -229,11 +230,11 @@ if __name__ == "__main__":
 # - **One timer instead of three.** A single 1 Hz timer with a counter publishes the status on every tick, and the
 #   battery and joints on every second tick. The program has fewer parts, and the battery and joints are always
 #   published together. But now all rates depend on each other: for joints at 0.7 Hz, you'd have to rewrite the program.
-# - **A counter instead of the clock.** `self.step += 1` and `math.sin(0.6 * self.step)` is simpler. It also produces
+# - **A counter instead of the clock.** `self.step += 1` with `math.sin(0.6 * self.step)` is simpler. It also produces
 #   the same numbers in every run, which is good for tests. But at 100 Hz, this robot would move two hundred times as
 #   fast.
 # - **Composition instead of a subclass.** A class that doesn't inherit from `Node` holds
-#   `node = rclpy.create_node("humanoid_status_publisher")`. Your attributes then can't collide with those of `Node`,
+#   `node = rclpy.create_node("humanoid_status_publisher")`. Your attributes then can't collide with `Node`'s attributes,
 #   and you can test the simulation without ROS. But most code that you'll read uses a subclass.
 # - **NumPy.** `np.sin(...)` computes all joints in one call. Convert the array to plain floats with `.tolist()`. This
 #   is a good habit: a `np.float32` in a plain `Float32` message is silently sent as 0.0, or crashes the program with

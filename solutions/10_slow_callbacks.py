@@ -6,9 +6,9 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - run slow work where it doesn't delay other callbacks
-#   - let two callbacks of one node run at the same time, and only those two
-#   - keep results correct when several requests arrive at the same time
+#   - running slow code where it doesn't delay other callbacks
+#   - letting two of a node's callbacks, and no others, run at the same time
+#   - keeping results correct when several requests arrive at the same time
 # out_of_scope:
 #   - a faster planner; do not change it
 #   - services and actions, which are designed for requests (lesson 12)
@@ -17,12 +17,12 @@
 # %% [markdown]
 # # Exercise 10 · A heart that beats while the robot plans
 #
-# Your humanoid serves tea. Before it stretches its arm, a planner computes how far to bend the elbow, and at every
-# step, it queries the collision checker. One plan takes 0.8 s. But the safety system expects a heartbeat ten times a
-# second, and if none arrives for half a second, it cuts the power. So whenever a guest asks for tea, the robot goes
-# limp. Run the planner where it doesn't stop the heartbeat.
+# Your humanoid serves tea. Before the robot reaches out, a planner works out how far to bend the elbow. Each step of
+# the search queries the collision checker, so one plan takes {{PLANNING_S}} s. But the safety system expects a
+# heartbeat ten times a second, and if none arrives for half a second, it cuts the power. So whenever a guest asks for
+# tea, the robot goes limp. Change the program so that planning no longer stops the heartbeat.
 #
-# **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [10](../notebooks/10_slow_callbacks.ipynb).
+# **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [10](../notebooks/10_slow_callbacks.ipynb).
 #
 # ## What to build
 #
@@ -32,33 +32,35 @@
 # | `/robot/plan_request` | received | `Float32` | | requested distance from the shoulder to the hand, in m |
 # | `/robot/plan` | published | `Float32` | | the elbow's bend for this distance, in rad |
 #
-# - Publish one plan for every request, in the order of the requests. Sometimes four requests arrive within half a
-#   second. Then they must wait their turn, but none may be lost. There is only one collision checker, so only one
-#   search may run at a time.
-# - If a distance has been requested before, it's still a new request, and it's planned again. For a distance that the
-#   arm can't reach, the planner finds the straight arm. Publish that plan.
-# - `ElbowPlanner` is given. **Don't change it.** Most of the time it waits, so it doesn't keep the processor busy. It
-#   can hold only one search: two searches at the same time on one planner overwrite each other.
+# - Publish one plan for every request, in the order of the requests. Sometimes, four requests arrive within half a
+#   second. There's only one collision checker, so only one search may run at a time, and the other requests have to
+#   wait. But you must not lose any of them.
+# - If the same distance is requested again, treat that as a new request, and run the planner again. If a distance is
+#   beyond the arm's reach, the planner returns a straight arm. Publish that plan, too.
+# - We provide `ElbowPlanner`. **Don't change it.** It spends most of its time waiting, so it doesn't keep the processor
+#   busy. A planner object stores the state of only one search: if two searches run at the same time, they overwrite
+#   each other's state.
 # - You may change everything else.
 #
 # ## What is judged
 #
-# Your program runs in its own process for nine real seconds. The judge sends seven requests in the first four seconds
-# and records the plans that your program publishes. A plan that hasn't arrived after nine seconds is missing.
+# Your program runs in its own process for nine seconds of real time. The judge sends seven requests in the first four
+# seconds and records the plans that your program publishes. A plan that hasn't arrived after nine seconds counts as
+# missing.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/heartbeat` carries `String` |
-# | 2 | 90 % to 110 % of the heartbeats come; typically there are 0.095 to 0.105 s between two (the mean over five), even while the robot plans |
-# | 2 | never more than 0.5 s without a heartbeat |
+# | 2 | {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the heartbeats come; typically there are {{TYPICALLY_S.0}} to {{TYPICALLY_S.1}} s between two (the mean over five), even while the robot plans |
+# | 2 | never more than {{LONGEST_SILENCE_S}} s without a heartbeat |
 # | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
-# | 2 | each plan is the one that `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |
+# | 2 | each plan is the one that `ElbowPlanner` finds, to {{TOLERANCE_RAD}} rad, and comes {{SOONEST_S}} s after its request, or later |
 # | 1 | there is one plan for every request, in order, one search at a time |
 # | 1 | the program is still running when the judge stops watching |
 #
-# **Not part of it:** a faster planner, services, the text of a heartbeat, anything after the nine seconds, and how your
-# program ends on Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only what the planner finds
-# and how long that takes.
+# **Not judged:** a faster planner, services, the text of a heartbeat, anything after the nine seconds, and how your
+# program ends on Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only the planner's results and
+# how long they take.
 # %% [answer]
 """Publish a humanoid's heartbeat, and plan its elbow's bend on request."""
 
@@ -183,14 +185,16 @@ if __name__ == "__main__":
 # from workbook.lesson import fresh, init, run
 # from workbook.ros import topic_hz
 #
-# %start
 # init()
-# guest = fresh(Node, "guest")
+# guest = fresh(Node, "guest")  # while it's on the graph, the exercise's own guest pauses
 # asking = guest.create_publisher(Float32, "/robot/plan_request", 10)
+# %start
 # await run(guest, seconds=5, until=lambda: asking.get_subscription_count() > 0)
 # for distance in (0.7, 0.25, 0.55):
 #     asking.publish(Float32(data=distance))
-# topic_hz("/robot/heartbeat", seconds=3)
+# rate = topic_hz("/robot/heartbeat", seconds=3)
+# guest.destroy_node()
+# rate
 # %% [hint]
 # Count the callbacks that need a thread. The heartbeat needs one for a moment, ten times a second. The planner needs
 # one for 0.8 s at a time. How many threads does `rclpy.spin` use? And if there were two, would rclpy be *allowed* to
@@ -230,9 +234,9 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **A worker thread with a queue.** The callback returns right away, and `rclpy.spin` may stay. The queue can hold
-#   more than the ten requests of the subscription, and you can check its length. You can also check whether the oldest
-#   request is still wanted. But you have to take care of the thread: its errors and its end.
+# - **A worker thread with a queue.** The callback returns right away, so you can keep `rclpy.spin`. The queue can hold
+#   more requests than the subscription's ten, and you can check its length. You can also check whether the oldest
+#   request is still wanted. But you have to handle the thread's exceptions and end the thread yourself.
 # - **`ThreadPoolExecutor(max_workers=1)`.** This is the same idea in one line: `self.pool.submit(self.work,
 #   request.data)`. With a single worker, the plans stay in order. Check the future that `submit` returns, or errors are
 #   lost silently.
@@ -242,7 +246,8 @@ if __name__ == "__main__":
 # - **Two processes.** Use one node for the heartbeat and another for the planner, each in its own process. Then nothing
 #   in the planner can stop the heartbeat: not even a crash, or Python code that computes without a pause. For a real
 #   robot's safety, this is the right way.
-# - **The group for the heartbeat.** Either callback can get its own group, as long as the two aren't in the same group.
+# - **A separate group for the heartbeat.** Either callback can get its own group, as long as the two aren't in the same
+#   group.
 # - **A reentrant group with a lock.** This works, but the order in which threads get a lock isn't defined. So the order
 #   of the plans is left to chance. Each waiting request also occupies a thread of the executor. With enough waiting
 #   requests, no thread is left for the heartbeat.

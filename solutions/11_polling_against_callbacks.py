@@ -6,9 +6,9 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - recognize polling in a program that almost works
-#   - handle each message in a callback, as soon as it arrives
-#   - leave the waiting to spin
+#   - recognizing polling in a program that almost works
+#   - handling each message in a callback, as soon as it arrives
+#   - letting `rclpy.spin` do the waiting
 # out_of_scope:
 #   - what happens after a touch has been reported
 #   - messages that get lost between programs (lesson 13)
@@ -18,11 +18,11 @@
 # # Exercise 11 · A monitor that doesn't poll
 #
 # Your humanoid's hand has a touch-sensitive skin that gives each touch a number. A monitor forwards every number to the
-# grip control, which must let go before the egg breaks. But the log shows missing numbers, and some touches reach the
-# grip control only after the shell has cracked. You open the program and find a loop that polls: five times a second,
-# it checks which touch arrived last. Rewrite the program so that it doesn't poll.
+# grip control, which must loosen the grip before an egg breaks. But the log shows missing numbers, and some touches
+# reach the grip control only after the shell has cracked. You open the program and find a loop that polls: five times a
+# second, it checks which touch arrived last. Rewrite the program so that it doesn't poll.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [11](../notebooks/11_polling_against_callbacks.ipynb).
 #
 # ## What to build
@@ -32,10 +32,9 @@
 # | `/robot/touch` | received | `Int32` | the number of a touch, such as 7 |
 # | `/monitor/seen` | published | `Int32` | the number of each touch, once, as soon as the touch arrives |
 #
-# Touches can arrive one at a time, or a dozen at the same moment, and then there may be none for several seconds. The
-# skin started counting long before your monitor did. It sometimes skips a number, and it restarts at 1 whenever it is
-# switched on. So a number can come up again, and then it stands for a new touch. Report exactly the touches that
-# arrive, and nothing else.
+# Touches can arrive one at a time or a dozen at the same moment, and sometimes there are none for several seconds. The
+# skin started counting long before your monitor started. It sometimes skips a number, and it restarts at 1 whenever it
+# is switched on. So the same number can arrive again for a new touch. Report each touch that arrives, and nothing else.
 #
 # ## What is judged
 #
@@ -47,13 +46,14 @@
 # | 1 | the program subscribes to `/robot/touch` and publishes on `/monitor/seen`, both `Int32` |
 # | 3 | no touch is missed |
 # | 2 | no touch is reported twice, and the reports are in order |
-# | 2 | of the touches that come alone, three in four are reported within 10 ms; of those that come together, half within 200 ms |
-# | 1 | while no touch comes, the program uses less than 5 % of a processor |
+# | 2 | of the touches that come alone, three in four are reported within {{ALONE_MS}} ms; of those that come together, half within {{TOGETHER_MS}} ms |
+# | 1 | while no touch comes, the program uses less than {{PROCESSOR_SHARE %}} of a processor |
 # | 1 | the program is still running when the judge stops watching |
 #
-# **Not part of it:** the grip control, lost messages, pauses longer than three seconds, and how your program ends on
-# Ctrl-C. The judge also misses any report that your program publishes before the judge's subscription is connected. And
-# it can't distinguish a loop that polls a hundred times a second from a callback. Remove the polling anyway.
+# **Not judged:** the grip control, lost messages, pauses longer than three seconds, and how your program ends on
+# Ctrl-C. The judge doesn't receive reports that your program publishes before DDS has matched your publisher with the
+# judge's subscription. And it can't distinguish a loop that polls a hundred times a second from a callback. Remove the
+# polling anyway.
 # %% [answer]
 """Report each touch of the hand."""
 
@@ -153,16 +153,17 @@ if __name__ == "__main__":
 #
 # from workbook.lesson import fresh, init, run
 #
-# %start
 # init()
 # seen = []
-# hand = fresh(Node, "hand")
+# hand = fresh(Node, "hand")  # while it's on the graph, the robot's own skin pauses
 # hand.create_subscription(Int32, "/monitor/seen", lambda report: seen.append(report.data), 100)
 # touching = hand.create_publisher(Int32, "/robot/touch", 100)
+# %start
 # await run(hand, seconds=5, until=lambda: touching.get_subscription_count() > 0)
 # for number in range(1, 11):
 #     touching.publish(Int32(data=number))
 # await run(hand, seconds=1)
+# hand.destroy_node()
 # print("touches 1 to 10, seen:", seen)
 # %% [hint]
 # Follow one touch through the program. When it arrives, rclpy calls `on_touch` right away, once for each touch. So far,

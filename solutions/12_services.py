@@ -6,9 +6,9 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - call a service from a timer without holding up the node
-#   - report each response as soon as it arrives, and only once
-#   - give up on a request that gets no response, and continue with the next one
+#   - calling a service from a timer without blocking the node
+#   - reporting each response as soon as it arrives, and only once
+#   - giving up on a request that gets no response, and continuing with the next one
 # out_of_scope:
 #   - offering a service; another program offers the self-test
 #   - waiting until the service is available; it already is
@@ -18,13 +18,12 @@
 # # Exercise 12 · A self-test every second
 #
 # The humanoid can test itself: when its service `/robot/self_test` is called, it moves each joint a little and responds
-# with the result. Usually, the response arrives right away. Sometimes it takes a while. And sometimes the motor
-# controller restarts at the wrong moment, and there is never a response. You write the node that calls the service once
-# a second and reports each result to the control room. The control room also expects a heartbeat from your node five
-# times a second, and it switches the robot off when the heartbeat stops. So whatever happens to a call, the heartbeat
-# must continue.
+# with the result. Usually, the response arrives right away, but sometimes it takes a while. And if the motor controller
+# restarts at the wrong moment, there's no response at all. Write a node that calls the service once a second and
+# reports each result to the control room. The control room also expects a heartbeat from your node five times a second,
+# and it switches the robot off if the heartbeat stops. So the heartbeat must continue, no matter how a call turns out.
 #
-# **About 25 minutes · difficulty 3 of 5 · 10 points.** You need lesson [12](../notebooks/12_services.ipynb).
+# **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [12](../notebooks/12_services.ipynb).
 #
 # ## What to build
 #
@@ -34,17 +33,18 @@
 # | `/robot/health` | topic, `String` | one message for each call: `ok`, `faulty` or `no answer` |
 # | `/robot/heartbeat` | topic, `String` | 5 Hz, whatever happens; any text. The starter has it already |
 #
-# - When a response arrives, publish `ok` if its field `success` is true, and `faulty` otherwise. (The field `message`
-#   is meant for people. The same text may come with either result.) Report each response when it comes, at most 0.8 s
-#   later, and only once. Report it even if it's the same as the one before.
-# - A response may take 0.8 s. If it hasn't arrived one second after the call, it never will. Then publish `no answer`,
-#   once for each such call: no earlier than 0.8 s and no later than 2 s after the call. After that, continue with the
-#   next calls. (While you wait for a response, you may skip one call.)
+# - When a response arrives, publish `ok` if its `success` field is true, and `faulty` otherwise. (The `message` field
+#   is meant for people. The same text may come with either result.) Report each response only once, and at most
+#   {{TOLD_WITHIN_S}} s after it arrives. Report it even if it's the same as the previous one.
+# - A response may take up to {{MAY_TAKE_S}} s. If it hasn't arrived one second after the call, you can be sure that it
+#   never will. For each call without a response, publish `no answer` once: no earlier than {{MAY_TAKE_S}} s and no
+#   later than {{GIVEN_UP_WITHIN_S}} s after the call. Then keep calling the service. (While you wait for a response,
+#   you may skip one call.)
 #
 # ## What is judged
 #
-# Your program runs in its own process for twelve and a half real seconds. The judge offers the service. It responds to
-# some calls right away, to some after 0.7 s, and to some never.
+# Your program runs in its own process for twelve and a half seconds of real time. The judge offers the service. It
+# responds to some calls right away, to some after {{SLOW}} s, and to some not at all.
 #
 # | points | criterion |
 # |---:|---|
@@ -54,23 +54,27 @@
 # | 1 | `/robot/health` exists, carries `String`, and carries only the three words |
 # | 2 | each response is reported: correctly, in time, and once |
 # | 2 | `no answer` is reported in time, and only for calls that got no response |
-# | 2 | the heartbeat comes at 5 Hz, even while a call waits for its response |
+# | 2 | the heartbeat is published at 5 Hz, even while a call waits for its response |
 #
 # These tolerances allow for busy machines:
 #
-# - **Once a second** means typically 0.9 to 1.1 s from one call to the next. At most one pause is over 1.4 s, and none
-#   reaches 2.5 s. One exception: after a call without a response, each pause may be up to 2.5 s. In all, there is at
-#   most one call for every 0.9 s (rounded, and not counting the first).
-# - **A report** may be 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.3 s later, or
-#   0.1 s earlier. Where every `no answer` is early, 0.03 s is the limit.
-# - **5 Hz** means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s. The last one comes at most 0.9 s
-#   before the end. While calls are open, 60 % of the beats are enough.
+# - **Once a second** means that the median pause between calls is {{SHORTEST_PERIOD_S}} to {{LONGEST_PERIOD_S}} s. At
+#   most one pause may be longer than {{PAUSE_S}} s, and all must be shorter than {{LONGEST_PAUSE_S}} s. One exception:
+#   after each call without a response, the pause may be up to {{LONGEST_PAUSE_S}} s. There's also a limit on the number
+#   of calls. Divide the time from the first call to the last by {{SHORTEST_PERIOD_S}} s, and round. After the first
+#   call, you may make at most that many.
+# - **A report** may be {{SLACK_S}} s later than stated above, and a single report may even be {{LATER_ONCE_S}} s later.
+#   A `no answer` may be {{LONG_SLACK_S}} s later, or {{SLACK_S}} s earlier. But if every `no answer` is early, the
+#   limit shrinks to {{NEARLY_S}} s.
+# - **5 Hz** means that the number of beats is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number, with a
+#   median interval of {{SHORTEST_BEAT_S}} to {{LONGEST_BEAT_S}} s. The last beat must arrive within the last
+#   {{STOPPED_S}} s. While a call waits for its response, {{LEAST_MEANWHILE %}} of the beats are enough.
 #
-# You may structure the program in any way: with callbacks, `await`, threads, or several nodes.
+# You may structure the program any way you like: with callbacks, `await`, threads, or several nodes.
 #
-# **Not part of it:** offering a service, waiting until the service is available, the text of a heartbeat, and how your
-# program ends on Ctrl-C. A `no answer` in the first 2.5 s isn't judged either, because it may belong to a call that was
-# sent before the judge was connected.
+# **Not judged:** offering a service, waiting until the service is available, the text of a heartbeat, and how your
+# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may belong
+# to a call that was sent before the judge was connected.
 # %% [answer]
 """Call the robot's self-test once a second, and report each result to the control room."""
 
@@ -162,11 +166,8 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [live]
-# from lesson_nodes import self_test_server
-# from workbook.lesson import start
 # from workbook.ros import topic_echo
 #
-# start(self_test_server, pattern="ok,faulty,slow,never,ok")
 # %start
 # # When your node publishes: topic_echo("/robot/health", count=5, timeout=10)
 # %% [hint]
@@ -215,7 +216,7 @@ if __name__ == "__main__":
 #   the future, or the method waits forever.
 # - **`call(request, timeout_sec=0.9)` with threads.** This is the shortest code: `call` waits, and it returns `None` if
 #   no response arrives in time. It occupies a thread while it waits. So it needs a `MultiThreadedExecutor` and the
-#   right callback groups for the timer, the client, and the heartbeat. In a thread of your own, outside of all
+#   right callback groups for the timer, the client, and the heartbeat. In your own thread, outside of all
 #   callbacks, it's simpler still.
 # - **Check the future regularly.** The heartbeat's callback runs five times a second, so it can check `future.done()`.
 #   You need no done callback and no group, but you may report a response up to 0.2 s late.
@@ -223,7 +224,7 @@ if __name__ == "__main__":
 #   request while an older one is still open. You need this when responses may take longer than the period. Consider the
 #   order, because the response to an older request may arrive after a newer one.
 # - **`spin_until_future_complete` in the callback.** Don't do this. In the default group, the client never receives the
-#   response. With a group of its own, it does. But the call removes the node from its executor, and after that, nothing
-#   spins the node.
+#   response. In a separate group, it does. But this function removes the node from its executor, and after that,
+#   nothing spins the node.
 # - **A topic instead.** If the robot published its health once a second, you'd need no requests, and any number of
 #   nodes could subscribe. Use a service when the work is to be done only on request.

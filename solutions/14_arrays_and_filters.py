@@ -6,10 +6,10 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - turn the angles of a JointState into an array and back
-#   - filter twelve joints at the same time, message by message, with state that outlives each callback
-#   - choose a filter by its noise and its delay
-#   - keep NaN out of a filter, and reset the filter when the source has restarted
+#   - converting the angles of a JointState to an array and back
+#   - filtering twelve joints at the same time, message by message, with state that persists from one callback to the next
+#   - choosing a filter by the noise that it leaves and the delay that it adds
+#   - keeping NaN out of a filter, and resetting the filter when its source restarts
 # out_of_scope:
 #   - velocities and efforts
 #   - lost messages, and stamps at irregular intervals
@@ -18,18 +18,18 @@
 # %% [markdown]
 # # Exercise 14 · Twelve steady joints
 #
-# The humanoid stands still, but its hands tremble. The motors are fine. The joints' encoders are noisy, and the
-# controller reacts to every bit of that noise. Put a filter between the encoders and the controller. But a filter also
-# uses past measurements, so its output usually lags behind the joint. With too much delay, the robot falls over. So you need
-# both: less noise and little delay.
+# The humanoid stands still, but its hands tremble. The motors are fine. It's the joints' encoders that are noisy, and
+# the controller reacts to every bit of that noise. Put a filter between the encoders and the controller. But a filter
+# also uses past measurements, so its output usually lags behind the joint. With too much delay, the robot falls over.
+# So you need both: less noise and little delay.
 #
-# **About 35 minutes · difficulty 3 of 5 · 10 points.** You need lesson
+# **About 35 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
 # [14](../notebooks/14_arrays_and_filters.ipynb).
 #
 # ## An example
 #
-# Here are five messages, with the angle of a single joint. A moving average of three messages would publish the angles
-# in the third column.
+# Here are five messages. The table shows the angle of just one joint. With a moving average of three messages, your
+# node would publish the angles in the third column.
 #
 # | stamp | angle received (rad) | angle published (rad) | why |
 # |---:|---:|---:|---|
@@ -44,44 +44,47 @@
 #
 # ## What to build
 #
-# Write one program that is spun until Ctrl-C ends it.
+# Write one program that keeps spinning until Ctrl-C ends it.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
 # | `/encoders/joint_states` | `JointState` | subscribes | 20 messages a second: names and noisy angles of 12 joints |
 # | `/robot/joint_states` | `JointState` | publishes | one answer to each message, with the filtered angles |
 #
-# `JointState` is in `sensor_msgs.msg`. Its field `position` holds the angles in rad; `velocity` and `effort` are empty.
-# The judge publishes with reliable, volatile QoS and a depth of 100, so the starter's depth of 50 works.
+# `JointState` is in `sensor_msgs.msg`. Its `position` field holds the angles in rad; `velocity` and `effort` are empty.
+# The judge publishes with reliable, volatile QoS and a depth of 100. The starter code's subscription, with a depth of
+# 50, is compatible with that.
 #
 # Your node:
 #
-# - answers every message once, right away, in the order of the messages
+# - answers every message once, right away, and in order of arrival
 # - copies the header's stamp and the names from the message that it answers
 # - reduces the noise
 # - keeps the delay small
-# - begins at the joints' angles
+# - starts from the joints' actual angles
 # - survives NaN
 # - resets its state after each restart
 #
-# **The joints.** They stand still, or each moves at a constant speed of 0.4 or 0.5 rad/s. They start
-# and stop abruptly.
+# **Each joint** either stands still or moves at a constant speed of 0.4 or 0.5 rad/s. The joints start and stop
+# abruptly.
 #
-# **The noise.** It has a standard deviation of 0.02 rad and never exceeds 0.05 rad.
+# **The noise** has a standard deviation of {{NOISE_RAD}} rad and never exceeds {{LARGEST_NOISE_RAD}} rad.
 #
 # **NaN.** Sometimes one, several, or all of the angles are NaN, in up to three messages in a row. This happens only
 # while the joints stand still, and never in the first message after a start.
 #
-# **The restart.** A stamp says how long the encoder board had been switched on at the time of the measurement. When an
-# engineer switches the board off and on again, the stamps start over near zero. So a stamp is *earlier* than the
-# previous one. While the board is off, someone turns the joints by hand. The first time, the joints are turned by 0.2
-# to 0.8 rad, and the second time by 0.22 to 0.24 rad. After that, your filter's old state is worthless.
+# **The restart.** A stamp is the time of the measurement, in seconds since the encoder board was switched on. When an
+# engineer switches the board off and on again, the stamps start over near zero. So you can recognize a restart by a
+# stamp that's *earlier* than the previous one. While the board is off, someone turns the joints by hand. Before the
+# first restart, each joint is turned by 0.2 to 0.8 rad. Before the second, each is turned by 0.22 to 0.24 rad. After a
+# restart, your filter's old state is useless.
 #
 # ## What is judged
 #
-# Your program runs as its own process. The judge publishes 199 messages: the joints stand, move, stand again (with
-# NaN), and move back. Then the board is restarted, and two seconds later it's restarted again. The judge waits for each
-# answer, and also measures how long the answer takes in real time. It knows the true angles and compares.
+# Your program runs as its own process. The judge publishes {{MESSAGES}} messages: the joints stand still, move, stand
+# still again (with NaN), and move back. Then the board is restarted, and two seconds later it's restarted again. The
+# judge waits for each answer and measures how long the answer takes in real time. It compares your answers with the
+# true angles.
 #
 # | points | criterion |
 # |---:|---|
@@ -89,37 +92,39 @@
 # | 1 | `/robot/joint_states` carries `JointState` |
 # | 1 | each answer has the stamp, the names, and an angle for each joint |
 # | 2 | every message is answered once, right away, in order |
-# | 1 | at most 55 % of the noise is left |
-# | 1 | the angles are at most 0.27 s behind |
+# | 1 | at most {{MOST_NOISE %}} of the noise is left |
+# | 1 | the angles are at most {{LONGEST_DELAY_S}} s behind |
 # | 1 | it begins at the joints' angles |
 # | 1 | it notices the restart and resets its state |
 # | 1 | a NaN does no harm |
 #
-# The last five are judged only if the node really filters. The judge decides this during the first standstill. If your
-# node publishes unchanged angles, or angles far from the joints, only the first four are judged. Any filter will do, and
-# any program structure: NumPy, SciPy, or plain Python, one class or one for each joint. One executor doesn't work in
-# this rclpy build: `rclpy.experimental.EventsExecutor` never runs a callback in `spin()`.
+# The last five criteria count only if the node actually filters the angles. The judge checks this while the joints
+# stand still for the first time. If your node publishes the angles unchanged, or far from their true values, only the
+# first four criteria count. You may use any filter and any program structure: NumPy, SciPy, or plain Python, with one
+# filter object for all joints or one for each. `rclpy.experimental.EventsExecutor` doesn't work in this rclpy build:
+# its `spin()` never runs a callback.
 #
-# **Not part of it:** velocities, efforts, the header's frame, lost messages, irregular stamps, and how your program
+# **Not judged:** velocities, efforts, the header's frame, lost messages, irregular stamps, and how your program
 # ends on Ctrl-C.
 #
 # **Tolerances**
 #
 # | requirement or term | limit |
 # |---|---|
-# | answered right away | at least half of the answers come within 0.15 s of their message, and nine of ten within 0.5 s |
+# | answered right away | at least half of the answers come within {{TYPICALLY_S}} s of their message, and nine of ten within {{AT_ONCE_S}} s |
 # | names and angles | each answer has 12 names and 12 angles |
-# | noise | in the first standstill and after the first restart, at most 55 % of the noise is left, all joints together. At each joint by itself, at most 80 % is left |
-# | delay | in each movement, the angles of all joints together are at most 0.27 s behind, and no single joint more than 0.32 s |
-# | beginning | each of the first 8 answers is within 0.1 rad of the joint |
-# | after a restart | each of the first 8 answers is within 0.1 rad of the joint |
-# | NaN | from the first NaN until the first restart, each angle is a finite number. It is within 0.1 rad of the joint until the joints move, and within 0.3 rad near the end of that movement |
+# | noise | while the joints stand still for the first time, and after the first restart, at most {{MOST_NOISE %}} of the noise is left, all joints together. At each joint by itself, at most {{MOST_NOISE_OF_ONE %}} is left |
+# | delay | in each movement, the angles of all joints together are at most {{LONGEST_DELAY_S}} s behind, and no single joint more than {{LONGEST_DELAY_OF_ONE_S}} s |
+# | beginning | each of the first {{STARTING}} answers is within {{NEAR_RAD}} rad of the joint |
+# | after a restart | each of the first {{STARTING}} answers is within {{NEAR_RAD}} rad of the joint |
+# | NaN | from the first NaN until the first restart, each angle is a finite number. It is within {{NEAR_RAD}} rad of the joint until the joints move, and within {{FOLLOWS_RAD}} rad near the end of that movement |
 # | overshoot | it counts like any other distance from the joint; only the delay has no limit for angles ahead of their joint |
-# | unchanged | at every joint, the angles differ by at most 0.005 rad from those received |
-# | far from the joint | at some joint, the mean error is more than 0.05 rad |
+# | unchanged | at every joint, the angles differ by at most {{LEAST_CHANGE_RAD}} rad from those received |
+# | far from the joint | at some joint, the mean error is more than {{LARGEST_NOISE_RAD}} rad |
 #
-# Noise and *unchanged* are root mean squares. Noise and delay are measured from 1 s (20 messages) after a start or a
-# change, because a filter needs that long to settle.
+# Both the noise and the differences in the row *unchanged* are measured as root mean squares. The judge ignores noise
+# and delay for 1 s ({{SETTLED}} messages) after each restart, and whenever the joints start or stop moving. A filter
+# needs that long to settle.
 # %% [answer]
 """Filter noisy joint angles: publish them with less noise and little delay."""
 
@@ -200,17 +205,14 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [live]
-# from lesson_nodes import noisy_joints
 # from lesson_nodes.joint_scope import JointScope
-# from workbook.lesson import fresh, init, run, start, stop
+# from workbook.lesson import fresh, init, run
 # from workbook.pictures.figures import figure, show
 #
 # %start
-# start(noisy_joints)
 # init()
 # scope = fresh(JointScope)  # records the left elbow, before and after your filter
 # await run(scope, seconds=10, until=lambda: len(scope.measured) >= 120)
-# stop(noisy_joints)
 # print("measured:", len(scope.measured), "filtered:", len(scope.filtered))
 # fig, axes = figure(6.4, 2.6)
 # for label, pairs in (("measured", scope.measured), ("filtered", scope.filtered)):
@@ -219,9 +221,9 @@ if __name__ == "__main__":
 # axes.legend()
 # show(fig, "the left elbow's angle: as measured, and as published by your filter")
 # %% [hint]
-# Begin without a filter: the starter publishes each message unchanged, and `%check` lists the criteria that fail. Then
-# answer three questions. How many past messages may the filter use if its delay may be 0.27 s? Where does the node keep
-# the filter's state between two callbacks? And what does that state contain after a NaN, and after a restart?
+# Begin without a filter: the starter code publishes each message unchanged, and `%check` lists the criteria that fail.
+# Then answer three questions. How many past messages can the filter use with a delay of at most 0.27 s? Where does the
+# node keep the filter's state between two callbacks? And what does that state contain after a NaN, and after a restart?
 #
 # Introduction to NumPy: [NumPy for absolute beginners](https://numpy.org/doc/stable/user/absolute_beginners.html)
 # %% [hint]

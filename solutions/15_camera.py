@@ -6,10 +6,10 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - turn an Image's bytes into pixels, whatever its encoding and step
-#   - find a ball by its color and shape in changing light
-#   - turn a pixel into a direction, and stamp it with its image's stamp
-#   - report that there's no ball, and refuse unreadable images
+#   - turning an Image's bytes into pixels, whatever its encoding and step
+#   - finding a ball by its color and shape in changing light
+#   - turning a pixel into a direction that carries the image's stamp
+#   - reporting that there's no ball, and rejecting unreadable images
 # out_of_scope:
 #   - how far away the ball is, and where it will be next
 #   - lens distortion (`CameraInfo` describes it)
@@ -19,57 +19,58 @@
 # %% [markdown]
 # # Exercise 15 · Eyes on the ball
 #
-# A ball rolls across the desk, and the robot should look at it. The camera works and takes 30 images a second, but the
-# node between the camera and the neck is missing. That node finds the ball in each image and publishes the ball's
-# direction. If it reports a ball that isn't there, the robot reaches into the void. So the node must also report when
-# there's no ball.
+# A ball rolls across the desk, and the robot should look at it. The camera works and takes {{RATE_HZ}} images a second,
+# but the node between the camera and the neck is missing. That node finds the ball in each image and publishes the
+# ball's direction. If it reported a ball that isn't there, the robot would reach into empty space. So the node must
+# also report when there's no ball.
 #
-# **About 45 minutes · difficulty 4 of 5 · 10 points.** You need lesson [15](../notebooks/15_camera.ipynb).
+# **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [15](../notebooks/15_camera.ipynb).
 #
 # ## What to build
 #
-# Write one program that is spun until Ctrl-C ends it.
+# Write one program that keeps spinning until Ctrl-C ends it.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/camera/image` | `Image` | subscribes | 30 images a second, 160 columns by 120 rows |
+# | `/camera/image` | `Image` | subscribes | {{RATE_HZ}} images a second, 160 columns by 120 rows |
 # | `/robot/ball_direction` | `Vector3Stamped` | publishes | one direction for each image that it can read |
 #
-# `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`. The judge publishes its images with reliable,
-# volatile QoS and a depth of 100. The starter requests best effort, which is compatible with that. It also works with
-# real cameras, which often offer only best effort.
+# `Image` is in `sensor_msgs.msg`, and `Vector3Stamped` is in `geometry_msgs.msg`. The judge publishes its images with
+# reliable, volatile QoS and a depth of 100. The starter code requests best effort, which is compatible with a reliable
+# publisher. Best effort also works with real cameras, which often offer nothing else.
 #
-# **The scene.** The ball is orange. On the desk, there are also a blue ball and a brick that's just as orange as the
+# **The scene.** The ball is orange. A blue ball also lies on the desk, along with a brick that's just as orange as the
 # ball. The brick can be farther away than the ball, or nearer. But the two never overlap in the image, so you'll never
-# see an orange ball in front of an orange brick. The robot's own gray hands come into view. There is at most one orange
-# ball, and it is never partly hidden. It is at least 11 pixels wide.
+# see an orange ball in front of an orange brick. The robot's own gray hands sometimes come into view. There's at most
+# one orange ball. It's never partly hidden, and it's at least 11 pixels wide.
 #
-# **The light.** Its brightness ranges from 40 % to 110 % of a bright day's. Its color gets a little warmer or colder.
+# **The light** varies in brightness, from 40 % to 110 % of full daylight. Its color also varies a little, from warmer
+# to cooler.
 #
-# **The camera.** It follows the pinhole model, with a focal length of 140 pixels. Column 79.5, row 59.5 looks straight
-# ahead, where (0, 0) is the middle of the pixel at the upper left.
+# **The camera** follows the pinhole model, with a focal length of {{FOCAL_PIXELS}} pixels. A point straight ahead of
+# the camera appears at column 79.5, row 59.5. (The center of the upper left pixel is at column 0, row 0.)
 #
 # | your node | so that |
 # |---|---|
 # | publishes the ball's direction as a vector of length 1 | x points right, y down, z forward |
-# | is accurate | each direction points to the middle of the ball |
+# | is accurate | each direction points to the ball's center |
 # | reports "no ball" if there is none | the vector is (0, 0, 0) |
 # | copies the image's stamp | each direction's header has the stamp of its image |
-# | keeps up with 30 images a second | most of them are answered right away, each once |
-# | reads `rgb8` and `bgr8` | the encoding gives the order of the colors; it may change from image to image |
-# | obeys `step` | the rows of some images have 32 unused bytes at their end |
-# | refuses every other encoding | nothing is published for the image, a line in the log names the encoding, and the node keeps running |
+# | keeps up with {{RATE_HZ}} images a second | it answers most of them right away, each once |
+# | reads `rgb8` and `bgr8` | the order of the colors is correct, even if the encoding changes from image to image |
+# | uses `step` | it can read images whose rows end with {{PADDING}} unused bytes |
+# | refuses every other encoding | it publishes nothing for the image, logs a line that names the encoding, and keeps running |
 #
 # ## What is judged
 #
-# Your program runs as its own process. The judge is the camera: it publishes 195 images that you haven't seen. Some of
-# them have another encoding. The judge knows where the ball is and compares.
+# Your program runs as its own process. The judge plays the part of the camera: it publishes {{PICTURES}} images that
+# you haven't seen, some of them in encodings other than `rgb8`. The judge compares your directions with the true ones.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | it subscribes to `/camera/image` with the type `Image`, and publishes `Vector3Stamped` on `/robot/ball_direction` |
 # | 1 | each direction has the stamp of its image, and each image has one direction |
-# | 1 | it keeps up with 30 images a second |
+# | 1 | it keeps up with {{RATE_HZ}} images a second |
 # | 1 | it refuses other encodings with a line in the log, and keeps running |
 # | 2 | in good light, the direction for an `rgb8` image is correct |
 # | 1 | in changing light, the direction is correct |
@@ -77,20 +78,20 @@
 # | 1 | for rows with padding, the direction is correct |
 # | 1 | if there is no ball, it reports that |
 #
-# Changing light and padding are judged only if the direction is correct in good light. Padding is judged in both
-# encodings. But in `bgr8` it counts only if the direction is correct for `bgr8` without padding.
+# The criteria for changing light and for padding are judged only if the direction is correct in good light. Padding is
+# judged in both encodings, but padded `bgr8` images count only if the direction is correct for `bgr8` without padding.
 #
-# **Not part of it:** how far away the ball is, lenses, a ball that is partly hidden, and how your program ends.
+# **Not judged:** the ball's distance, lens distortion, partly hidden balls, and how your program ends.
 #
 # **Tolerances**
 #
 # | requirement or term | limit |
 # |---|---|
-# | length of the vector | it is within 0.02 of 1 |
-# | accuracy | each direction is within 1.0° of the middle of the ball |
-# | share of answers | at least 80 % of the readable images are answered |
-# | delay | at least half of the answers come within 0.1 s of their image, and nine of ten within 0.4 s |
-# | good light | at least 70 % as bright as a bright day, and no padding |
+# | length of the vector | it is within {{LENGTH_SLACK}} of 1 |
+# | accuracy | each direction is within {{WITHIN_DEG}}° of the ball's center |
+# | share of answers | at least {{LEAST_SHARE %}} of the readable images are answered |
+# | delay | at least half of the answers come within {{TYPICALLY_S}} s of their image, and nine of ten within {{AT_ONCE_S}} s |
+# | good light | at least {{BRIGHT %}} of full daylight, and no padding |
 # %% [answer]
 """Looks at the pictures of a camera, and publishes in which direction the orange ball lies."""
 
@@ -199,17 +200,14 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [live]
-# from lesson_nodes import head_camera
 # from lesson_nodes.ball_scope import BallScope
-# from workbook.lesson import fresh, init, run, start, stop
+# from workbook.lesson import fresh, init, run
 # from workbook.pictures.figures import figure, show
 #
 # %start
-# start(head_camera, width=160)
 # init()
 # scope = fresh(BallScope)  # records the images, and the directions that your node publishes
 # await run(scope, seconds=10, until=lambda: len(scope.directions) >= 60)
-# stop(head_camera)
 # print("images:", len(scope.pictures), "directions:", len(scope.directions))
 # if scope.pictures:
 #     fig, axes = figure(4.2, 3.2)

@@ -6,10 +6,10 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - run a slow model without delaying other callbacks
-#   - process only the newest image, and stamp each detection with its image's stamp
-#   - pass a model the color order that it was trained with
-#   - survive a model that raises an exception
+#   - running a slow model without delaying other callbacks
+#   - processing only the newest image, and giving each detection its image's stamp
+#   - giving a model pixels in the color order that it was trained on
+#   - surviving a model that raises an exception
 # out_of_scope:
 #   - training a model, or a faster one (`SlowDetector` stays as it is)
 #   - where the toys are in the room, and tracking them from image to image
@@ -19,16 +19,17 @@
 # %% [markdown]
 # # Exercise 16 · A robot that sees, and keeps its balance
 #
-# The robot clears a desk. A neural network finds the toys on it, but takes 0.2 s per image. The camera takes 30 images
-# a second, and the rest of the robot can't wait for the network. A heartbeat must go out ten times a second. If the
-# robot falls, it must report that within half a second. Write the node around the model.
+# Your robot is clearing a desk. A neural network finds the toys on it, but takes {{MODEL_S}} s per image. The camera
+# takes {{CAMERA_HZ}} images a second, and the rest of the robot can't wait for the network. A heartbeat must go out ten
+# times a second. If the robot falls, it must report the fall within half a second. We provide the model. Write the node
+# around it.
 #
-# **About 45 minutes · difficulty 4 of 5 · 10 points.** You need lesson [16](../notebooks/16_ai_model.ipynb).
+# **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [16](../notebooks/16_ai_model.ipynb).
 #
 # ## An example
 #
-# Here are the first 0.6 s of a node that works. Image 1 was stamped 512.000 s, and a new image arrives every 0.033 s.
-# Image 7 was taken in glare.
+# Here's what a working node does in its first 0.6 s. Image 1 was stamped 512.000 s, and a new image arrives every 0.033
+# s. Image 7 is washed out by glare.
 #
 # | time | event | `/robot/detections` |
 # |---:|---|---|
@@ -37,54 +38,54 @@
 # | 0.40 s | the model raises `RuntimeError`; it starts again on image 13 | nothing, but the log says `glare: 97% of the picture is white` |
 # | 0.60 s | the model returns | the toys in image 13, stamped 512.400 s |
 #
-# During all of this, the node publishes `operational` on `/robot/status` every 0.1 s. If ten IMU samples in a row are
-# tilted, it publishes `error` from the next heartbeat on.
+# During all of this, the node publishes `operational` on `/robot/status` every 0.1 s. If ten IMU samples in a row show
+# a tilt of more than {{TILT_DEG}}°, it publishes `error` from the next heartbeat on.
 #
 # ## What to build
 #
-# Write one program that is spun until Ctrl-C ends it.
+# Write one program that keeps spinning until Ctrl-C ends it.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/camera/image` | `Image` | subscribes | 30 images a second, 160 columns by 120 rows, `bgr8`, rows without padding |
-# | `/robot/imu` | `Imu` | subscribes | 50 samples a second; at rest, `linear_acceleration` points up with 9.81 m/s² |
+# | `/camera/image` | `Image` | subscribes | {{CAMERA_HZ}} images a second, 160 columns by 120 rows, `bgr8`, rows without padding |
+# | `/robot/imu` | `Imu` | subscribes | {{IMU_HZ}} samples a second; at rest, `linear_acceleration` points up with 9.81 m/s² |
 # | `/robot/detections` | `MarkerArray` | publishes | one message for each image that the model has looked at, with a marker for each detection |
 # | `/robot/status` | `String` | publishes | the heartbeat, 10 Hz: `operational`, or `error` after a fall |
 #
 # `Image` and `Imu` are in `sensor_msgs.msg`, and `MarkerArray` is in `visualization_msgs.msg`. The judge publishes
 # images and samples with reliable, volatile QoS and a depth of 100.
 #
-# The starter subscribes to images with a depth of 10, and lesson 16 shows how that makes detections old. The starter
-# does it on purpose: choosing the queue is part of your task.
+# The starter subscribes to images with a depth of 10. As lesson 16 shows, the detections are out of date by the time
+# they're published. We left it that way on purpose: choosing the queue's depth is part of your task.
 #
-# **The model.** `SlowDetector` is given. It finds balls, bricks, cups, and plates, all of them orange. It expects RGB
-# pixels (`uint8`), and waits for its accelerator without holding the GIL. Loading it takes one second. In glare, it
-# raises `RuntimeError`. You may call it from several threads, but it processes one image at a time. A second call waits
-# for its turn, so a second thread only makes detections older. `to_markers` and `tilt` are given as well.
+# **The model.** We provide `SlowDetector`, the model. It finds balls, bricks, cups, and plates, all of them orange. It
+# expects RGB pixels (`uint8`), and it doesn't hold the GIL while it waits for its accelerator. Loading it takes one
+# second. In glare, it raises `RuntimeError`. You may call it from several threads, but it processes one image at a
+# time. A second call has to wait for the first, and its image gets older in the meantime. So a second thread only makes
+# the detections more out of date. We also provide `to_markers` and `tilt`.
 #
-# **The desk.** Each image shows a ball, a cup, a plate, and two bricks, so no empty `MarkerArray` is expected. A blue
-# ball doesn't count as a toy.
+# **The desk.** Each image shows a ball, a cup, a plate, and two bricks, so an empty `MarkerArray` is never right. A
+# blue ball doesn't count as a toy.
 #
-# **The stamps.** They come from the clock of the robot's sensors. Compare them with each other, not with your program's
-# clock.
+# **The stamps** come from the sensors' own clock. Compare them with each other, not with your program's clock.
 #
 # | your node | so that |
 # |---|---|
-# | keeps the heartbeat | it goes out ten times a second, without gaps |
-# | publishes fresh detections | they follow their image quickly, also after a fall |
-# | doesn't guess | each detection comes from the given model, which takes 0.2 s |
+# | keeps the heartbeat regular | it's published ten times a second, without gaps |
+# | publishes fresh detections | they follow their image quickly, even after a fall |
+# | doesn't guess | each detection comes from the given model, which takes {{MODEL_S}} s |
 # | stamps each detection with its image's stamp | one message for an image, each image once, in the order of the images |
 # | detects correctly | each message has the right toys in the right places |
-# | survives the model's exceptions | for such an image, nothing is published, not even an empty message. A log line contains the exception's text, and the node continues |
-# | reports a fall | if ten samples in a row are tilted by more than 60°, the status becomes `error` |
-# | raises no false alarm | a jolt of nine samples is no fall, nor is leaning by 55°; before the fall, `error` never comes |
-# | remembers the fall | after the first `error`, `operational` never comes again, even if someone sets the robot upright |
+# | survives the model's exceptions | it publishes nothing for that image, not even an empty message. It logs the exception's text and continues |
+# | reports a fall | if ten samples in a row are tilted by more than {{TILT_DEG}}°, the status becomes `error` |
+# | raises no false alarm | it never publishes `error` before the fall: a jolt of nine samples isn't a fall, and neither is leaning by 55° |
+# | remembers the fall | after the first `error`, it never publishes `operational` again, even if someone sets the robot upright |
 #
 # ## What is judged
 #
-# Your program runs as its own process for about twelve real seconds. The judge plays the camera and the IMU. It sends
-# 330 images that you haven't seen; for 1.2 s of that time, there's glare. It knows which toys are on the desk, and when
-# the robot falls.
+# Your program runs in its own process for about twelve seconds of real time. The judge plays the parts of the camera
+# and the IMU. It sends {{PICTURES}} images that you haven't seen, including 1.2 s of glare. It knows which toys are on
+# the desk, and when the robot falls.
 #
 # | points | criterion |
 # |---:|---|
@@ -96,20 +97,20 @@
 # | 1 | it survives a model that raises |
 # | 2 | on a fall, `/robot/status` becomes `error`, not before, and doesn't change back |
 #
-# **Not part of it:** training, where the toys are in the room, getting up, and how your program ends. Of a marker, only
-# `header`, `ns` (the label), and `pose.position` (x: column, y: row) are judged.
+# **Not judged:** training, where the toys are in the room, getting up after a fall, and how your program ends. The
+# judge reads only three of a marker's fields: `header`, `ns` (the label), and `pose.position` (x: column, y: row).
 #
 # **Tolerances**
 #
 # | requirement | passes if |
 # |---|---|
-# | heartbeat | 90 % to 110 % of ten a second, never more than 0.5 s without one, from the first one on |
-# | fresh | at least half of the messages come at most 0.3 s after their image, and nine of ten at most 0.35 s |
-# | often | at least 3 images a second are answered, also after a fall |
-# | not guessed | each message comes at least 0.19 s after its image |
-# | correct | at least 80 % of the messages have each toy that is at least 90 % visible, with its label, within 5 pixels, and nothing else. Toys that are less visible may be included |
-# | continues | at most 2 s after the glare, an image is answered again |
-# | fall | `error` comes at most 0.5 s after the tenth tilted sample |
+# | heartbeat | {{LEAST_BEATS %}} to {{MOST_BEATS %}} of ten a second, never more than {{LONGEST_SILENCE_S}} s without one, from the first one on |
+# | fresh | at least half of the messages come at most {{TYPICALLY_S}} s after their image, and nine of ten at most {{MOSTLY_S}} s |
+# | often | the node publishes the detections of at least {{LEAST_HZ}} images a second, even after a fall |
+# | not guessed | each message comes at least {{SOONEST_S}} s after its image |
+# | correct | at least {{RIGHT_SHARE %}} of the messages have each toy that is at least {{WHOLE %}} visible, with its label, within {{WITHIN_PIXELS}} pixels, and nothing else. Toys that are less visible may be included |
+# | continues | at most {{PAUSE_S}} s after the glare, the node publishes detections again |
+# | fall | `error` comes at most {{FALL_WITHIN_S}} s after the tenth tilted sample |
 # %% [answer]
 """Looks at the desk with a slow model, keeps its heartbeat, and says when the robot has fallen."""
 
@@ -296,10 +297,10 @@ if __name__ == "__main__":
 # ## Other good ways
 #
 # - **A callback group and two threads.** Use `MultiThreadedExecutor(num_threads=2)`, with the camera subscription in a
-#   `MutuallyExclusiveCallbackGroup` and a queue depth of 1. Then DDS itself keeps the newest image. This is shorter, but
-#   rclpy's executor polls while the model is running and keeps a CPU core busy.
-# - **A separate process.** If the model holds the GIL, threads don't help. A `ProcessPoolExecutor` with one worker does,
-#   but it copies images and results.
+#   `MutuallyExclusiveCallbackGroup` and a queue depth of 1. Then DDS itself keeps the newest image. This is shorter,
+#   but rclpy's executor polls while the model is running and keeps a CPU core busy.
+# - **A separate process.** If the model holds the GIL, threads don't help. A `ProcessPoolExecutor` with one worker
+#   does, but it copies images and results.
 # - **Two nodes.** One detects toys and one watches for falls, each in its own process. A model crash can't stop the
 #   heartbeat. Robots in production work like this.
 # - **A timer that takes the newest image** is simple, but the model is idle between two ticks.

@@ -5,13 +5,13 @@
 # other, and how do you write one?
 #
 # - **Minutes:** 45
-# - **You need:** Python classes and functions. No robot, no ROS
+# - **You need:** Python classes and functions, but no robot and no ROS knowledge
 # - **You will be able to:**
 #   - start a robot program and watch it
 #   - write a short program that moves the robot
 #   - explain what rclpy is and which layers lie below it
 #   - get unstuck when something goes wrong
-# - **Left out:** starting and ending a program properly (the next lesson)
+# - **Not covered:** starting and ending a program properly (the next lesson)
 
 # %% [markdown]
 # Click into the gray cell below and press **Shift+Enter**. That runs the cell and selects the next one.
@@ -25,15 +25,15 @@ await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
 # That wasn't a recording: you watched two programs at work. One of them computed the angles of the robot's twelve
-# joints and sent them, twenty times a second. The other one, this notebook, received the angles and drew the robot. The
-# robot is simulated, but the communication is real. **ROS 2**, the Robot Operating System, takes care of it, just as it
-# does on real robots.
+# joints and sent them, twenty times a second. The other program, this notebook, received the angles and drew the robot.
+# The robot is simulated, but the communication is real: it runs on **ROS 2**, the Robot Operating System, just as on
+# real robots.
 #
 # [the same without helpers: start]
 
 # %% [markdown]
-# The programs communicate through a **topic**, which is a name for a stream of messages. Here it's
-# `/robot/joint_positions`, and each message holds twelve angles. First, stop the robot's program:
+# The programs communicate through a **topic**, a named stream of messages. This topic is `/robot/joint_positions`, and
+# each message holds twelve angles. First, stop the robot's program:
 
 # %%
 stop()
@@ -73,9 +73,8 @@ stop()
 # message type and a topic. `move` fills a message with twelve angles in radians and publishes it. The timer calls
 # `move` every 0.1 s, and `spin` keeps the node running.
 #
-# **Your turn.** The third angle in the list is the left shoulder's, and the fifth is the right shoulder's. Write a list
-# of twelve angles in which the right shoulder is at 2.4 rad and all others are 0.0. (`[0.0] * 7` is a list of seven
-# zeros.)
+# **Your turn.** In the list, the third angle is for the left shoulder and the fifth for the right one. Write a list of
+# twelve angles: 2.4 rad for the right shoulder, and 0.0 for every other joint. (`[0.0] * 7` is a list of seven zeros.)
 
 # %% id="your-pose"
 from workbook.lesson import yours
@@ -89,37 +88,38 @@ yours(
 )
 
 # %% [markdown]
-# Now put your list into the program above, but with `shoulder` instead of `2.4`. Then run two cells again: the one that
-# saves the program and the one that starts it. The robot should now raise and lower its right arm. (Lessons 01 to 06
-# explain every line of the program.)
+# Now put your list into the program above, but replace `2.4` with the variable `shoulder`, so that the arm moves. Then
+# run two cells again: the one that saves the program and the one that starts it. The robot should now raise and lower
+# its right arm. (Lessons 01 to 06 explain every line of the program.)
 
 # %% [markdown]
 # **How do these notebooks work?** Predict, run, change. Before you run a cell, predict the outcome. Then run it and
-# compare, and finally change a number. You gain more from a wrong prediction than from a right one, because it shows
-# you a gap in your understanding.
+# compare, and finally change a number. You learn more from a wrong prediction than from a right one, because it reveals
+# a gap in your understanding.
 #
-# **`await`.** This word precedes calls that take a while. During such a call, it keeps the notebook responsive, so
-# animations move and the stop button works. Keep the word when you copy or change such a call. (Lesson 12 explains it.)
+# **`await`.** You'll see this word before calls that take a while. It keeps the notebook responsive, so animations keep
+# moving and the stop button works. When you copy such a call, keep the `await`. (Lesson 12 explains it.)
 #
 # This notebook is your own copy, so change anything you like.
 
 # %% [markdown] prediction="end-of-the-program"
 # ## Predict
 #
-# We start the robot again and watch it for six seconds. After three seconds, we end its program but keep watching. What
-# will you see?
+# We start the robot again and watch it for six seconds. After three seconds, we stop its program but keep watching.
+# What will you see?
 #
 # - **a** An error message: the connection was lost.
-#   ✗ DDS does notice that the publisher is gone, and takes it off its list. But ROS does not treat that as an error: a
-#   topic may have no publisher.
-# - **b** The robot goes back to rest, with its arms down.
-#   ✗ No program tells the robot to go to rest. The notebook draws the last message that it got.
-# - **c** The robot stands still in its last pose.
-#   ✓ No more messages come, and the pose in the last one is all that the notebook knows of the robot.
-# - **d** The robot keeps waving: the notebook knows the movement by now.
-#   ✗ The notebook does not work out the movement. It draws the numbers that it receives, and there are no new ones.
+#   ✗ DDS does detect that the publisher is gone. But ROS doesn't treat that as an error, because a topic doesn't need a
+#   publisher.
+# - **b** The robot lowers its arms and returns to its rest pose.
+#   ✗ No program sends the robot to its rest pose. The notebook keeps drawing the pose from the last message.
+# - **c** The robot freezes in its last pose.
+#   ✓ No more messages arrive, so the notebook keeps drawing the pose from the last one.
+# - **d** The robot keeps waving: the notebook continues the movement.
+#   ✗ The notebook doesn't compute the movement. It only draws the poses that it receives, and no new ones arrive.
 #
-# Run the cell below and press the button of your choice. You can change your choice until you see the outcome.
+# Click your choice, or press its letter. You can change it until you see the outcome. (If these options aren't buttons,
+# run the cell below first.)
 
 # %%
 from workbook.lesson import predict, reveal
@@ -142,14 +142,14 @@ reveal("end-of-the-program")
 # %% [markdown]
 # ## Look inside
 #
-# There's no error. DDS, the layer that carries the messages, noticed that the publisher was gone and removed it from
-# its list. But ROS doesn't treat a missing publisher as an error, because each program knows only a **topic**, not the
-# other program. A topic has a name, here `/robot/joint_positions`, and a message type, here an array of numbers. One
-# program **publishes** to the topic, whether or not it has subscribers. The other **subscribes** to it, whether or not
-# there are publishers.
+# There's no error. DDS, the layer that carries the messages, detected that the publisher was gone and removed it from
+# its list. But ROS doesn't treat a missing publisher as an error, because a program's code refers only to a **topic**,
+# not to another program. A topic has a name, here `/robot/joint_positions`, and a message type, here an array of
+# numbers. One program **publishes** to the topic, whether or not it has subscribers. Another **subscribes** to it,
+# whether or not it has publishers.
 #
-# So one of a robot's programs can crash without bringing down the others. The price is that your node has to notice by
-# itself when a topic goes silent.
+# So one of a robot's programs can crash without bringing down the others. The price is that your node itself has to
+# detect when a topic goes silent.
 #
 # ### Programs find each other by topic names
 #
@@ -168,7 +168,7 @@ graph_picture()
 # Read the graph from left to right. `/humanoid_status_publisher` publishes to two topics, and `/status_monitor`
 # subscribes to both. Right now, no program subscribes to the joint positions, but they're published anyway.
 #
-# None of these programs contains another one's name. They found each other through the names of their topics. Here are
+# No program's code contains another program's name. They found each other through the names of their topics. Here are
 # the next two messages on one of these topics:
 
 # %%
@@ -179,7 +179,7 @@ for message in topic_echo("/robot/status", count=2).messages:
 stop()
 
 # %% [markdown]
-# **Your turn.** Which topic tells `/status_monitor` the battery level? Find its name in the graph.
+# **Your turn.** On which topic does `/status_monitor` receive the battery level? Find the topic's name in the graph.
 
 # %% id="your-topic"
 battery_topic = ...  # TODO: the name of the topic, in quotes
@@ -197,9 +197,9 @@ yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 # millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
 # NumPy, OpenCV, and PyTorch. Nodes connect the two worlds:
 #
-# - A few lines of code make a trained model part of the robot. It receives images on one topic and publishes its
-#   detections on another.
-# - You can try an idea within minutes. Change a line and restart that one program while the rest of the robot keeps
+# - With a few lines of code, a trained model becomes part of the robot. The model receives images on one topic and
+#   publishes its detections on another.
+# - You can try an idea within minutes. Change a line and restart just that program while the rest of the robot keeps
 #   running.
 #
 # But Python has its limits, and we'll measure one of them. A control loop that has to run a thousand times a second,
@@ -215,7 +215,7 @@ show(layers(), DESCRIPTION)
 
 # %% [markdown]
 # `rcl` is short for *ROS client library*. Both rclpy and the C++ library `rclcpp` are built on it. So names and message
-# types mean the same in both languages, and no node needs to know which language another one is written in.
+# types mean the same thing in both languages, and no node needs to know which language another node is written in.
 #
 # The process that runs this cell has loaded all of these layers, and Linux can list them:
 
@@ -239,8 +239,8 @@ print("rclpy:", version("ros-jazzy-rclpy"), "of ROS 2 Jazzy")
 print("middleware:", rclpy.get_rmw_implementation_identifier())
 
 # %% [markdown]
-# To keep notebooks from receiving each other's messages, each open one gets its own **domain**, a number from 1 to 101.
-# Lesson 01 shows how domains keep programs apart.
+# To keep notebooks from receiving each other's messages, each open notebook gets its own **domain**, a number from 1 to
+# 101. Lesson 01 shows how domains keep programs apart.
 
 # %% [markdown] prediction="wave-faster"
 # ## Change it
@@ -256,15 +256,14 @@ print("middleware:", rclpy.get_rmw_implementation_identifier())
 #
 # We set `waves_per_second=2.0`. What changes?
 #
-# - **a** The hand moves faster, and as many messages come as before.
+# - **a** The hand moves faster, but the number of messages per second stays the same.
 #   when `messages_per_second < 25`
-#   ✓ `waves_per_second` sets how fast the hand moves. The program still reports once every 0.05 s.
-# - **b** The hand moves faster, and more messages come in a second.
+#   ✓ `waves_per_second` sets the speed of the hand. The program still publishes once every 0.05 s.
+# - **b** The hand moves faster, and more messages arrive each second.
 #   when `messages_per_second >= 25`
-#   ✗ The hand does move faster. But how often the program reports is another number, `period_s`, and we left it
-#   alone.
-# - **c** The hand moves as before, and more messages come in a second.
-#   ✗ `waves_per_second` is about the movement, and that is what changed. How often messages come is another number.
+#   ✗ The hand does move faster. But `period_s` sets how often the program publishes, and we didn't change it.
+# - **c** The hand moves as before, but more messages arrive each second.
+#   ✗ `waves_per_second` sets only the speed of the hand. It doesn't change how often the program publishes.
 
 # %%
 predict("wave-faster")
@@ -287,11 +286,11 @@ reveal("wave-faster", messages_per_second=rate.mean_hz)
 # that the drawing takes to glide to a new pose.) What will you see?
 #
 # - **a** The hand waves slowly and smoothly.
-#   ✗ The wave is as fast as before. And it cannot look smooth with two messages a second.
+#   ✗ The wave is as fast as before. And two messages a second can't make it look smooth.
 # - **b** The hand waves as smoothly as before.
-#   ✗ With `ease=0` no pose is filled in. The picture shows each pose when its message comes.
-# - **c** The hand jumps: we see two poses a second of a wave that is as fast as ever.
-#   ✓ The robot moves as before, but reports only two poses in a second. The picture can show no more than these.
+#   ✗ With `ease=0`, the drawing doesn't glide between poses. It shows each pose when its message arrives.
+# - **c** The hand jumps: it waves as fast as before, but we see only two poses a second.
+#   ✓ The robot moves as before, but it publishes only two poses a second. The drawing can't show any others.
 
 # %%
 predict("report-less-often")
@@ -305,10 +304,10 @@ stop()
 # %% [markdown]
 # The robot's speed and its reporting rate are two different numbers. Beginners often mix them up.
 #
-# With `ease=0.5`, the drawing glides from one pose to the next. That looks fine, but we only made up the poses in
-# between. Try it, and try other numbers. You can run these cells as often as you like.
+# With `ease=0.5`, the drawing glides from one pose to the next. That looks fine, but the poses in between are made up.
+# Try it, and try other numbers, as often as you like.
 #
-# Or use a slider. Drag it while the next cell runs: every move restarts the program with the new number.
+# Or use a slider. Drag it while the next cell runs: each change restarts the program with the new number.
 
 # %%
 from workbook.lesson import knob
@@ -332,9 +331,9 @@ except RuntimeError as error:
 # The program ended right away, and the last line says why. (Read error messages from the bottom up.) `2` is an integer,
 # but this parameter is a float, a number with a decimal point. So write `2.0`.
 #
-# A misspelled parameter is worse: the program accepts `wave_per_second=2.0` without any message, and nothing changes.
+# A misspelled parameter is worse: the program silently accepts `wave_per_second=2.0`, but nothing changes.
 #
-# **A misspelled topic.** Names must match letter by letter, and a topic exists only while a program uses it.
+# **A misspelled topic.** Names must match exactly, and a topic exists only while a program uses it.
 
 # %% tags=["raises-exception"]
 from workbook.ros import topic_info
@@ -344,8 +343,8 @@ topic_info("/robot/joint_postions")
 
 # %% [markdown]
 # The name is missing an `i`. Our tools suggest the name that you probably meant, but a subscriber wouldn't. It would
-# wait silently on a topic that has no publisher. Beginners misspell names very often, so if no messages arrive, check
-# the names first.
+# wait silently on a topic that has no publisher. Misspelled names are very common, so if no messages arrive, check the
+# names first.
 
 # %%
 stop()
@@ -355,20 +354,20 @@ stop()
 #
 # | you see | do this |
 # |---|---|
-# | `[*]` stays next to a cell | the cell is still running. The button **■** above ends it, as Ctrl-C does in a terminal |
+# | `[*]` stays next to a cell | the cell is still running. The button **■** above stops it, as Ctrl-C does in a terminal |
 # | `NameError: name 'start' is not defined` | a cell above wasn't run: *Run > Run All Above Selected Cell* |
 # | a robot is still waving, or two are | `stop()` ends all programs that this notebook has started |
-# | nothing makes sense any more | the button **⟳** restarts the kernel. Programs and variables are gone, but your text stays |
+# | nothing makes sense anymore | the button **⟳** restarts the kernel. Programs and variables are gone, but your text stays |
 # | not even the first cell works | `workbook doctor` in a terminal reports what's wrong with the machine |
 # | an exercise doesn't pass | `%check` names the first thing to fix; `%hint` gives up to three hints |
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** You ran `my_wave.py` above. Have another look at it.
+# **Worked example.** You ran `my_wave.py` above. Take another look at it.
 #
-# **Faded.** Make the robot raise its *right* arm. Replace each `...` with your code, then run both cells. Until you do,
-# the second one prints a reminder.
+# **Fill in the blanks.** Make the robot raise its *right* arm. Replace each `...` with your code, then run both cells.
+# Until you do, the second cell prints a reminder.
 
 # %%
 # %%writefile my_robot.py
@@ -400,8 +399,8 @@ else:
 # %% [markdown]
 # **Your own** (not graded). Three more steps, and you're ready for the course.
 #
-# *Step 1: check your machine.* The doctor checks Python, the packages, and Jupyter, and sends messages between two
-# processes. That takes a few seconds.
+# *Step 1: check your machine.* The `doctor` function checks Python, the packages, and Jupyter, and sends messages
+# between two processes. That takes a few seconds.
 
 # %% tags=["nbval-ignore-output"]
 from workbook.lesson import doctor
@@ -409,8 +408,8 @@ from workbook.lesson import doctor
 ready = doctor()
 
 # %% [markdown]
-# If the machine isn't ready, follow the instruction after the first `→`, and run the cell again. A line with `!` is only
-# a note.
+# If the machine isn't ready, follow the instruction after the first `→`, and run the cell again. A line that begins
+# with `!` is just a note.
 #
 # *Step 2: watch the same robot from a terminal.* Start the status publisher and leave it running:
 
@@ -425,9 +424,9 @@ print("running:", start(humanoid_status_publisher))
 #     workbook topic echo /robot/battery --count 3
 #     workbook graph
 #
-# If several notebooks are open, the command asks which one you mean. The `ros2` command of a full ROS 2 installation
-# prints the same output. If you have one, you can use `ros2` itself. First, set this notebook's domain in the terminal
-# where you'll use it. The next cell prints the command:
+# If several notebooks are open, `workbook` asks which one you mean. A full ROS 2 installation includes the command
+# `ros2`, which prints the same output. To use `ros2`, first set this notebook's domain in your terminal. The next cell
+# prints the command for that:
 
 # %% tags=["nbval-ignore-output"]
 from workbook.ros import join_line
@@ -450,9 +449,9 @@ if ... not in (waves, period):
     stop()
 
 # %% [markdown]
-# From the next lesson on, every lesson has an exercise. You write a program, and `%start` runs it next to the notebook.
-# `%check` watches the program's topics for a few seconds. Then it reports which parts are correct and what to fix
-# first.
+# From the next lesson on, every lesson has an exercise. You write a program, and `%start` runs it alongside the
+# notebook. `%check` watches the program's topics for a few seconds. Then it reports which parts are correct and what to
+# fix first.
 
 # %% [markdown]
 # ## Check yourself
@@ -466,12 +465,12 @@ if ... not in (waves, period):
 # </details>
 # <details><summary>b) A robot simulator</summary>
 #
-# ✗ A simulator computes an artificial world. rclpy only connects programs, whether the robot is real or simulated.
+# ✗ A simulator models an artificial world. rclpy only connects programs, whether the robot is real or simulated.
 #
 # </details>
 # <details><summary>c) A translator that turns Python into C++</summary>
 #
-# ✗ Your code stays Python, and Python runs it. Like NumPy, rclpy calls a compiled core.
+# ✗ Your code stays Python, and Python runs it. Like NumPy, rclpy calls into a compiled core.
 #
 # </details>
 #
@@ -484,8 +483,8 @@ if ... not in (waves, period):
 # </details>
 # <details><summary>b) It publishes anyway, and the messages are lost</summary>
 #
-# ✓ Publishers and subscribers start and end independently. (Lesson 13 shows how a late subscriber can still get the
-# last message.)
+# ✓ Publishers and subscribers start and end independently of each other. (Lesson 13 shows how a late subscriber can
+# still get the last message.)
 #
 # </details>
 # <details><summary>c) It gets an error</summary>
@@ -498,7 +497,7 @@ if ... not in (waves, period):
 #
 # <details><summary>a) Nothing: they need a bridge between them</summary>
 #
-# ✗ They don't need one, because both send the same bytes over the wire.
+# ✗ They don't need a bridge, because both send the same bytes over the wire.
 #
 # </details>
 # <details><summary>b) rclpy calls rclcpp</summary>
@@ -526,7 +525,7 @@ if ... not in (waves, period):
 # </details>
 # <details><summary>c) The names: is the topic listed, with exactly this spelling, and does it have a publisher?</summary>
 #
-# ✓ `topic_list()` in a notebook, or `workbook topic list` in a terminal, shows that within a second.
+# ✓ `topic_list()` in a notebook, or `workbook topic list` in a terminal, answers both questions within a second.
 #
 # </details>
 
@@ -543,14 +542,14 @@ if ... not in (waves, period):
 # you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # One program is easier to start and to debug step by step, and its parts share memory. Nodes can be started, replaced,
 # and tested separately, and if one crashes, the others keep running. They can run on several computers, each in the
-# language that suits it. But nodes have a price. Messages take time and have to be copied, several things happen at the
-# same time, and there are more parts to maintain. Something has to notice if a node goes silent. Python suits
-# perception, planning, learning, and user interfaces. C++ (or a microcontroller) suits motor control and everything
-# else that must never be a millisecond late.
+# language that suits it. But nodes aren't free. Messages take time and have to be copied, several things happen at the
+# same time, and there are more parts to maintain. And if a node goes silent, another program has to detect that. Python
+# suits perception, planning, learning, and user interfaces. C++ (or a microcontroller) suits motor control and
+# everything else that must never be a millisecond late.
 #
 # </details>
 #
@@ -558,8 +557,7 @@ if ... not in (waves, period):
 #
 # Watch for these two mistakes. We tested both with this course's rclpy.
 #
-# - **Start `roscore` first:** That's ROS 1. ROS 2 has no central program, because its nodes find each other by
-#   themselves.
+# - **Start `roscore` first:** That's ROS 1. ROS 2 has no central program: its nodes find each other on their own.
 # - **In one process, nodes share messages without copying (`use_intra_process_comms`):** In C++, they can. rclpy has no
 #   such option, so each subscriber gets a separate copy.
 #
@@ -568,9 +566,9 @@ if ... not in (waves, period):
 # %% [markdown]
 # ## Take away
 #
-# - A robot's software is many programs, and each of them runs one or more nodes.
+# - A robot's software consists of many programs, each of which runs one or more nodes.
 # - To move the robot, a program needs 11 lines: imports, init, node, publisher, callback, timer, and spin.
-# - rclpy is the Python side of rcl. The layers below it, rmw and DDS, carry the messages.
+# - rclpy makes rcl available in Python. Two layers below rcl carry the messages: rmw and DDS.
 # - Predict, run, change. ■ stops a cell, `stop()` stops the robots, and `workbook doctor` checks the machine.
 # - Nodes find each other through topics. A topic has a name and a type, and no node needs to know which others use it.
 #

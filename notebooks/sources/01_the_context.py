@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 01 · The context
 #
-# A robot program has to start ROS before it can create a node. When the program ends, the robot mustn't drop anything.
-# How do you start and end ROS properly? One object is involved in both: the context.
+# A robot program has to start ROS before it can create a node. And when the program ends, the robot mustn't drop what
+# it's carrying. How do you start and end ROS properly? Starting and ending involve the same object: the context.
 #
 # - **Minutes:** 45
 # - **You need:** lesson [00](00_start_here.ipynb)
@@ -11,10 +11,11 @@
 #   - say which calls work before `init`, after it, and after `shutdown`
 #   - say which robots receive each other's messages
 #   - write a `main()` that ends cleanly on Ctrl-C
-# - **Left out:** how `spin` works (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
+# - **Not covered:** how `spin` works (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
 
 # %% [markdown]
-# It's night in a museum. A robot walks its rounds until its program ends. Let's run that program in a separate process.
+# It's night in a museum. A robot guard makes its rounds until its program ends. Let's run that program in a separate
+# process.
 
 # %%
 from lesson_nodes import night_guard
@@ -27,9 +28,9 @@ stop()
 print("after the end:  ", node_list())
 
 # %% [markdown]
-# While the program ran, its **node** was on the list. Then the program ended without an error, and the node was gone.
-# That's less common than you might think: many programs on the web end with a page of error messages. By the end of
-# this lesson, you can write one that doesn't.
+# While the program was running, the list of nodes contained the program's **node**. Then the program ended without an
+# error, and the node was gone. Such a clean exit is less common than you might think: many programs on the web end with
+# a page of error messages. By the end of this lesson, you'll be able to write one that doesn't.
 #
 # [the same without helpers: start]
 
@@ -48,15 +49,15 @@ print("after the end:  ", node_list())
 #
 # After these lines, the program calls `radio.publish(String(data="burglar!"))`. What happens?
 #
-# - **a** It is sent: `shutdown` stops callbacks, it does not stop publishing.
-#   ✗ `shutdown` ends the context, and the publisher needs it. Without a context nothing can be sent.
-# - **b** Nothing, silently: no other program can receive it any more.
-#   ✗ It is not silent. rclpy sees that the context is not valid any more, and says so.
-# - **c** The call is never reached: `shutdown` refuses as long as there is a node.
-#   ✗ `shutdown` does not look for nodes. It ends only the context. The node and its publisher stay, as objects without a
-#   valid context.
-# - **d** An error: the objects are still there, but their context is not.
-#   ✓ The Python objects are still there, but the context that they belong to is not. `publish` raises an error.
+# - **a** The message is sent: `shutdown` stops callbacks, but not publishing.
+#   ✗ `shutdown` ends the context, and the publisher needs it. Without a valid context, nothing can be sent.
+# - **b** Nothing visible: there's no error, but other programs don't receive the message.
+#   ✗ There is an error: rclpy checks the context, finds that it's no longer valid, and raises an exception.
+# - **c** The program doesn't get that far: `shutdown` fails while a node exists.
+#   ✗ `shutdown` doesn't check whether nodes exist. It only ends the context. The node and its publisher remain as
+#   Python objects without a valid context.
+# - **d** It raises an error: the objects still exist, but their context is no longer valid.
+#   ✓ `shutdown` deletes no Python objects, but it makes their context invalid. So `publish` raises an error.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -101,7 +102,7 @@ reveal("publish-after-shutdown")
 #
 # `init` created a **context**, and `shutdown` ended it. A context holds the settings that all nodes in a *process*
 # share: the domain, the command-line arguments, and the handling of Ctrl-C. Every node belongs to a context. You didn't
-# have to name one, because `rclpy.init()` initializes the **default context**, and `Node(...)` uses it.
+# have to pass a context, because `rclpy.init()` initializes the **default context**, and `Node(...)` uses it.
 #
 # A context goes through three states: *not initialized* → *ok* → *shut down*. It never goes back. `rclpy.ok()` returns
 # `True` only in the second state.
@@ -152,16 +153,16 @@ for row, action in enumerate(actions):
     print(line(action, [column[row] for column in columns.values()]))
 
 # %% [markdown]
-# The three exceptions have different causes:
+# The three exceptions tell you different things:
 #
 # - **`NotInitializedException`:** There's no valid context.
-# - **`RCLError`:** The C library below rclpy refused the call. Here the reason is again the missing context.
+# - **`RCLError`:** The C library below rclpy rejected the call. Here, too, the reason is that there's no valid context.
 # - **`InvalidHandle`:** The context is valid, but the node was destroyed.
 #
 # Look at the last row. After the shutdown, the node still exists as a Python object and can return its name. But it
-# can no longer publish, and its context never becomes valid again.
+# can't publish anymore, and its context will never be valid again.
 #
-# **Your turn.** Write the two lines that give this program a node that works, without restarting Python.
+# **Your turn.** Give this program a working node again, without restarting Python. You need two lines.
 
 # %% id="your-new-start"
 from workbook.lesson import yours
@@ -181,21 +182,22 @@ yours(got, "✓", "Call rclpy.init(), then create the node with Node(...).")
 #
 # ### Experiment 1: three contexts in one notebook
 #
-# A process usually has one context, but it can have several. Each context can be in a different **domain**, the number
-# that you saw in lesson 00. Here are three robots in one process, and each has its own context. `kitchen` and `hall`
-# are in domain A, and `garden` is in domain B. All three publish their names to the topic `/building/hello` and
-# subscribe to that topic. Which robots hear each other, that is, receive each other's messages?
+# A process usually has one context, but it can have several. Each context can be in a different **domain** (the number
+# from lesson 00). Here are three robots in one process, each with its own context. `kitchen` and `hall` are in domain
+# A, and `garden` is in domain B. All three publish their names to the topic `/building/hello` and subscribe to that
+# topic. Which robots hear each other, that is, receive each other's messages?
 #
-# - **a** None hears another one: each has a context of its own.
+# - **a** None: each has its own context.
 #   when `kitchen_hears == 0 and garden_hears == 0`
-#   ✗ A context does not keep nodes apart. `kitchen` and `hall` are on one domain, so they meet, as two programs
-#   would.
-# - **b** `kitchen` and `hall` hear each other, and `garden` is alone.
+#   ✗ Separate contexts don't separate nodes. `kitchen` and `hall` are in the same domain, so they discover each other,
+#   just as two programs would.
+# - **b** `kitchen` and `hall` hear each other, but `garden` hears no one.
 #   when `kitchen_hears == 1 and garden_hears == 0`
-#   ✓ The domain decides who hears whom. Two of the three contexts are on domain A.
-# - **c** All hear all others: it is one process and one topic.
+#   ✓ The domain decides who hears whom. Two of the three contexts are in domain A.
+# - **c** All of them, because they share one process and one topic.
 #   when `kitchen_hears == 2 and garden_hears == 2`
-#   ✗ `garden` is on another domain. Nodes on different domains do not meet, not even within one process.
+#   ✗ `garden` is in a different domain. Nodes in different domains don't discover each other, not even within one
+#   process.
 
 # %%
 predict("three-contexts")
@@ -272,7 +274,7 @@ show(
 )
 
 # %% [markdown]
-# The domain decides, not the process and not the topic.
+# Only the domain decides which robots receive each other's messages, even within one process and on one topic.
 #
 # **Your turn.** A fourth robot, `terrace`, should hear `garden`, but neither `kitchen` nor `hall`.
 
@@ -285,19 +287,20 @@ if ... not in places.values():
 yours(hears, ["garden"], "Robots hear each other if they're in the same domain.")
 
 # %% [markdown]
-# Domains matter in a classroom, because ROS uses domain 0 by default. Put thirty laptops on one network, and *your*
-# dashboard shows the battery of your neighbor's robot. So each desk sets its own domain in the environment variable
-# `ROS_DOMAIN_ID`. (With `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`, programs discover only those on the same machine.)
+# Domains matter in a classroom, because ROS uses domain 0 by default. With thirty laptops on one network, *your*
+# dashboard might show the battery level of your neighbor's robot. So at each desk, set a different domain in the
+# environment variable `ROS_DOMAIN_ID`. (With `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`, a program discovers only other
+# programs on the same machine.)
 #
-# Don't write the number into your code, or you'll have to edit the program to use it in another domain. These notebooks
-# choose a free domain when you open them.
+# Don't hard-code the domain, because then you'd have to edit the program to run it in another domain. Each of these
+# notebooks chooses a free domain when you open it.
 
 # %% [markdown]
 # ### Experiment 2: Ctrl-C
 #
 # During development, you stop most robot programs with Ctrl-C. Linux then sends the process a **signal** called SIGINT,
-# and Python turns that signal into the exception `KeyboardInterrupt`. Here are three ways to write `main`. You can find
-# all three on the web.
+# and Python turns that signal into the exception `KeyboardInterrupt`. Here are three ways to write `main`, all of which
+# you can find on the web.
 
 # %%
 import inspect
@@ -313,22 +316,23 @@ print(
 # %% [markdown] prediction="after-ctrl-c"
 # `spin` runs the node's callbacks. `guard.park()` folds the robot's arms and prints `arms parked`.
 #
-# A program reports how it ended with its **exit code**: 0 means success, and any other number means failure. Scripts,
-# service managers, and launch files read the exit code. Which of the three programs end with 0 after Ctrl-C?
+# A program's **exit code** says how it ended: 0 means success, and any other number means failure. Scripts, service
+# managers, and launch files read the exit code. After Ctrl-C, which of the three programs end with exit code 0?
 #
-# - **a** `third_main` only
+# - **a** Only `third_main`
 #   when `first != 0 and second != 0 and third == 0`
-#   ✓ It catches what `spin` raises, and `try_shutdown` does not mind that the context is down already.
-# - **b** All three: Ctrl-C is a normal way to end.
+#   ✓ It catches the exception that `spin` raises. Then it calls `try_shutdown`, which does nothing if the context is
+#   already shut down.
+# - **b** All three: Ctrl-C is a normal way to end a program.
 #   when `first == 0 and second == 0 and third == 0`
-#   ✗ `first_main` does not catch the `KeyboardInterrupt`. It ends the program, and the exit code is not 0.
+#   ✗ `first_main` doesn't catch the `KeyboardInterrupt`. That exception ends the program, so the exit code isn't 0.
 # - **c** `second_main` and `third_main`
 #   when `first != 0 and second == 0 and third == 0`
-#   ✗ `second_main` catches the `KeyboardInterrupt`, but then `rclpy.shutdown()` raises: Ctrl-C has shut the context
-#   down already.
-# - **d** None: after Ctrl-C the code is never 0.
+#   ✗ `second_main` catches the `KeyboardInterrupt`, but then `rclpy.shutdown()` raises an exception, because Ctrl-C has
+#   already shut the context down.
+# - **d** None: after Ctrl-C, the exit code is never 0.
 #   when `first != 0 and second != 0 and third != 0`
-#   ✗ The exit code is 0 whenever the program comes to its end without an exception, even after Ctrl-C.
+#   ✗ The exit code is 0 whenever a program reaches its end without an uncaught exception, even after Ctrl-C.
 
 # %%
 predict("after-ctrl-c")
@@ -362,20 +366,21 @@ reveal(
 #
 # **`second_main`** parks the arms, but then `rclpy.shutdown()` fails: *rcl_shutdown already called*. `rclpy.init`
 # installed a handler for SIGINT, and that handler shuts the context down right away. This `main` appears in many
-# tutorials. It looks fine, because the arms are down. But a service manager reads the exit code and reports a crash.
+# tutorials. It looks fine, because the arms are down. But a service manager reads the exit code, so it reports a crash.
 #
 # **`third_main`** calls `rclpy.try_shutdown()`, which shuts the context down only if it's still valid. Its `except`
-# line also names a second exception: `spin` raises that one if something outside of `spin` shuts the context down. This
-# is the `main` to write.
+# line also names a second exception, which `spin` raises if other code shuts the context down. Write your own
+# `main` in the same way.
 #
 # One caveat: `try_shutdown` first checks the context and then shuts it down. Very rarely, rclpy's handler shuts the
-# context down between these two steps, and the program ends like `second_main`. That's a bug in this version of rclpy.
-# The exercise's judge recognizes this case and doesn't count it against you.
+# context down between these two steps, and the program ends like `second_main`. That's a bug in this rclpy version. The
+# exercise's check recognizes this case and doesn't count it against you.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Calling `init` twice.** One call is at the top of a file, and another one is in `main`:
+# **Calling `init` twice.** Often, one call is at the top of a file, and the other is in `main`. Here, both are in one
+# cell:
 
 # %% id="init-twice" tags=["raises-exception"]
 rclpy.try_shutdown()
@@ -387,7 +392,8 @@ rclpy.init()
 # notebook, you run cells repeatedly, so use `init()` from `workbook.lesson`. Calling that function a second time does
 # nothing.
 #
-# **Creating a node before `init`.** Often this line is at the top level of a file, outside of `main`, so it runs first.
+# **Creating a node before `init`.** Often, the line that creates the node is at the top level of a file, outside of
+# `main`, so it runs before `init`.
 
 # %% id="node-before-init" tags=["raises-exception"]
 rclpy.try_shutdown()
@@ -403,10 +409,10 @@ guard.destroy_node()
 guard.get_name()
 
 # %% [markdown]
-# The error message calls the node a *Destroyable*. The usual cause is a `destroy_node()` call that's one line too
-# early, before a last log message or `publish`.
+# The error message calls the node a *Destroyable*. The usual cause is a call to `destroy_node()` that comes one line
+# too early, before a last `publish` or log message.
 #
-# **Code for other ROS versions.** The first call is a habit from ROS 1:
+# **Code for other ROS versions.** The first mistake is a habit from ROS 1:
 
 # %% id="positional-arguments" tags=["raises-exception"]
 import sys
@@ -417,7 +423,7 @@ rclpy.init(sys.argv)
 # %% [markdown]
 # Pass the arguments by name: `rclpy.init(args=sys.argv)`. If you leave them out, rclpy uses the command-line arguments.
 #
-# The second call comes from the documentation of a newer ROS:
+# The second one comes from the documentation for a newer ROS release:
 
 # %% id="with-init" tags=["raises-exception"]
 rclpy.try_shutdown()
@@ -439,8 +445,8 @@ rclpy.try_shutdown()
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A robot waters plants. When its program ends, it must close the valve, even after an error. Every program
-# follows this pattern: call `init`, create the node, spin inside `try`, catch the two exceptions, and clean up in
+# **Worked example.** A robot waters plants. When its program ends, it must close the valve, even after an error. The
+# pattern is always the same: call `init`, create the node, spin inside `try`, catch the two exceptions, and clean up in
 # `finally`.
 
 # %%
@@ -488,8 +494,9 @@ print("exit code:", end.exit)
 print("last line:", end.log.strip().splitlines()[-1])
 
 # %% [markdown]
-# **Faded.** A delivery robot must lock its box at the end. Complete the three places marked with TODO, and run both
-# cells. The second one runs your program, sends it Ctrl-C, and compares its exit code and its last line.
+# **Fill in the blanks.** A delivery robot must lock its box when its program ends. Complete the three places marked
+# with TODO, and run both cells. The second one runs your program, sends it Ctrl-C, and checks its exit code and its
+# last line of output.
 
 # %%
 # %%writefile courier.py
@@ -540,17 +547,17 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 #
 # **1. Your program called `rclpy.shutdown()`, and the variable `guard` still refers to a node. What can the node do?**
 #
-# <details><summary>a) Everything except receive messages</summary>
+# <details><summary>a) It can do everything except receive messages</summary>
 #
 # ✗ Publishing raises an exception as well, as you saw.
 #
 # </details>
-# <details><summary>b) Return its name, and little else</summary>
+# <details><summary>b) It can return its name, but do little else</summary>
 #
 # ✓ The object still exists, but its context is no longer valid. So the node can neither publish nor create a publisher.
 #
 # </details>
-# <details><summary>c) Everything, after another call to <code>rclpy.init()</code></summary>
+# <details><summary>c) It can do everything, after another call to <code>rclpy.init()</code></summary>
 #
 # ✗ A second `init` creates a new context. This node belongs to the old context, which never becomes valid again.
 #
@@ -571,7 +578,7 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # </details>
 # <details><summary>c) Wrap the call in <code>try</code> and <code>except</code>, and continue</summary>
 #
-# ✗ The program would run, but two parts of it still try to start ROS. Find out why.
+# ✗ The program would run, but two parts of it would still try to start ROS. Find out why.
 #
 # </details>
 #
@@ -579,7 +586,7 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 #
 # <details><summary>a) It ends cleanly</summary>
 #
-# ✗ It seems to, until the last line: `RCLError`, with exit code 1.
+# ✗ The last line raises an `RCLError`, so the exit code is 1.
 #
 # </details>
 # <details><summary>b) It hangs</summary>
@@ -625,19 +632,19 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # By default, rclpy's handler shuts the context down at about the same time as Python raises the exception. After that,
 # the node can't publish, and no timer fires. So neither the slow movement nor the message can happen in the `except`
 # block.
 #
 # One option is `SignalHandlerOptions.NO`, which keeps the context valid until the program shuts it down. In the
-# `except` block, keep spinning until the arm has arrived, then publish and call `try_shutdown()`. (A node without a
-# timer may not wake up on Ctrl-C.) Another option is a "park" service or topic that the operator uses before pressing
-# Ctrl-C.
+# `except` block, keep spinning until the arm has reached its rest position, then publish and call `try_shutdown()`.
+# (Give the node a timer: without one, `spin` may not notice the Ctrl-C.) Another option is a "park" service or topic
+# that the operator uses before pressing Ctrl-C.
 #
-# A good answer also asks what happens if the process is killed or loses power, because no `finally` block runs then.
-# The motor controller must be safe on its own.
+# A good answer also asks what happens if the process is killed or the computer loses power, because no `finally` block
+# runs then. So the motor controller must bring the arm to a safe stop on its own.
 #
 # </details>
 #
@@ -646,20 +653,21 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`with rclpy.init():`:** Newer versions support it. In Jazzy, it raises a `TypeError`.
-# - **Publishing "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers, the context is
-#   shut down at that moment. `publish` then raises an exception, unless it happens to run just before the shutdown.
+# - **Publishing "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers, rclpy shuts
+#   the context down at about that moment. `publish` then raises an exception, unless it happens to run just before the
+#   shutdown.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A context holds the settings that a process's nodes share. It goes from not initialized to ok to shut down, once,
-#   and never back.
+# - A context holds the settings that a process's nodes share. Its state changes from *not initialized* to *ok* to *shut
+#   down*, and never back.
 # - Call `rclpy.init()` once, in `main`, before you create the first node. After `shutdown` or `destroy_node`, a node
 #   can't publish or receive.
 # - The domain decides which robots receive each other's messages. Set it outside of the program, with `ROS_DOMAIN_ID`.
-# - Judge a program's end from outside: its exit code, its log, and whether its node is gone.
+# - To see from outside how a program ended, check its exit code, its log, and whether its node is gone.
 # - On Ctrl-C, rclpy shuts the context down on its own, and `spin` raises an exception. So clean up in `finally`, and
 #   call `try_shutdown()` there.
 #

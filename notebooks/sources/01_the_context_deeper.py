@@ -1,15 +1,15 @@
 # %% [markdown]
 # # 01 · Deeper: signals, threads and UDP ports
 #
-# In the field, a service manager stops a robot's programs, not Ctrl-C. How does a program end then, and how does it
-# publish a last message in time?
+# In the field, a robot's programs are stopped by a service manager, not by Ctrl-C. How does a program end in that case,
+# and how can it still publish a last message?
 #
 # - **Minutes:** 15
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
 #   - say which exception `spin` raises, if any, for each way to end a program
 #   - publish a last message on Ctrl-C
-# - **Left out:** lifecycle nodes, how `spin` works (lesson 06)
+# - **Not covered:** lifecycle nodes, how `spin` works (lesson 06)
 
 # %% [markdown]
 # This notebook is optional. Later lessons don't depend on it.
@@ -20,14 +20,15 @@
 # Ctrl-C sends SIGINT, but `systemctl stop` and `docker stop` send a different signal, **SIGTERM**. What does
 # `rclpy.spin(guard)` raise on SIGTERM?
 #
-# - **a** `KeyboardInterrupt`, as for Ctrl-C
+# - **a** `KeyboardInterrupt`, as with Ctrl-C
 #   when `came_out == 'KeyboardInterrupt'`
-#   ✗ Python turns only SIGINT, the signal of Ctrl-C, into a `KeyboardInterrupt`.
-# - **b** Nothing: Linux ends the process at once.
-#   ✗ That is what Linux does with a program that has no handler for SIGTERM. `rclpy.init` installs one.
+#   ✗ Python raises `KeyboardInterrupt` only for SIGINT, the signal that Ctrl-C sends.
+# - **b** Nothing: Linux ends the process right away.
+#   ✗ Linux does that to a program that has no handler for SIGTERM. But `rclpy.init` installs one.
 # - **c** `ExternalShutdownException`
 #   when `came_out == 'ExternalShutdownException'`
-#   ✓ rclpy shuts the context down on SIGTERM, and `spin` raises this exception because its context has ended.
+#   ✓ On SIGTERM, rclpy shuts the context down. Then `spin` raises this exception, because its context is no longer
+#   valid.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -37,8 +38,8 @@ predict("sigterm")
 # %% [markdown]
 # ## Run it
 #
-# This program spins a guard until one of three causes ends the spin: Ctrl-C, SIGTERM, or a call to `rclpy.shutdown()`
-# in another thread.
+# This program spins a guard until one of three events stops it: Ctrl-C, SIGTERM, or a call to `rclpy.shutdown()` in
+# another thread.
 
 # %%
 import inspect
@@ -66,22 +67,22 @@ print("rclpy.ok() afterward, in all six runs:", *still_ok)
 
 # %% [markdown]
 # So a well-written `main` catches both exceptions. `ExternalShutdownException` means that the context was shut down
-# from outside while `spin` was running. In all six runs, the context was already shut down afterward, so `try_shutdown`
-# is the right call at the end.
+# from outside while `spin` was running. After `spin`, the context was already shut down in all six runs, so
+# `try_shutdown` is the right call at the end.
 #
-# If another thread shuts the context down, `rclpy.spin` may notice that between two iterations. It then returns without
-# an exception. So put the code that must run in every case into `finally`.
+# If another thread shuts the context down, `rclpy.spin` may detect the shutdown between two iterations. It then returns
+# without an exception. So if code must always run, put it in `finally`.
 #
-# SIGTERM causes a race in this version of rclpy: the signal wakes `spin` up a moment *before* it shuts the context
-# down. In some runs, you see an `RCLError`, and an idle node may even keep sleeping. Use SIGINT if you can choose.
-# Launch files send SIGINT first. In a service file, write `KillSignal=SIGINT`.
+# SIGTERM causes a race in this rclpy version: the signal wakes `spin` up a moment *before* the context is shut down. In
+# some runs, you see an `RCLError`, and an idle node may even keep sleeping. Use SIGINT if you can choose. Launch files
+# send SIGINT first. In a service file, write `KillSignal=SIGINT`.
 
 # %% [markdown]
 # ## Look inside
 #
-# When can other programs discover yours? A program that uses DDS receives on its domain's **UDP ports**. The next cell
-# creates a context and a node, and then ends both. At the same time, a thread checks a hundred times a second whether
-# Linux lists these ports as open.
+# When can other programs discover yours? A program that uses DDS listens on its domain's **UDP ports**. The next cell
+# creates a context and a node, and then shuts down the context and destroys the node. At the same time, a thread checks
+# a hundred times a second whether Linux lists these ports as open.
 
 # %%
 import threading
@@ -202,15 +203,16 @@ for handled_by in ("ALL", "NO"):
     )
 
 # %% [markdown]
-# rclpy shuts the context down in a separate thread, while Python raises the exception. Half a second later, the context
-# had been shut down. The log message still reached the terminal, but the publisher raised an exception.
+# rclpy shuts the context down in a separate thread, while Python raises the exception. The guard waited half a second
+# before it published, and by then, the context was shut down. Its log message still reached the terminal, but the
+# publisher raised an exception.
 #
 # With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays valid until *you* shut it
-# down. That option has a price: a node without a timer doesn't wake up on Ctrl-C, and SIGTERM ends the process
+# down. That option has two drawbacks: a node without a timer doesn't wake up on Ctrl-C, and SIGTERM ends the process
 # immediately.
 #
-# **Your turn.** Choose the member of `SignalHandlerOptions` with which the guard publishes its last message on Ctrl-C,
-# but rclpy still handles SIGTERM.
+# **Your turn.** The guard should publish its last message on Ctrl-C, but rclpy should still handle SIGTERM. Which
+# member of `SignalHandlerOptions` do you need?
 
 # %% id="your-option"
 from workbook.lesson import yours
@@ -224,8 +226,9 @@ if option is not ...:
 yours(ended, ("SIGTERM", "said good night"), "Name the signal that rclpy handles.")
 
 # %% [markdown]
-# **Notebooks behave differently.** Here, only Python handles SIGINT, the signal that the stop button (■) sends. So your
-# nodes survive it. The next cell sends this signal to itself and then runs the same lines as a program:
+# **Notebooks behave differently.** In these notebooks, only Python handles SIGINT, the signal that the stop button (■)
+# sends. So your nodes survive it. The next cell sends SIGINT to the notebook's own process. Then it runs the same code
+# as a separate program:
 
 # %% id="interrupt-in-the-kernel"
 import os
@@ -246,8 +249,8 @@ print(run_program(interrupted_sleep).log.strip())
 rclpy.try_shutdown()
 
 # %% [markdown]
-# The same lines give two different results. So don't draw conclusions from a notebook about how a program ends. Run the
-# program itself.
+# The same code gives two different results. So don't use a notebook to find out how a program ends. Run the program
+# itself.
 
 # %% [markdown]
 # ## Take away

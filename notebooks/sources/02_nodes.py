@@ -4,18 +4,18 @@
 # A robot's software consists of many small parts, called nodes. They find each other by name. So how do you give every
 # node, and every topic that it uses, the right name?
 #
-# - **Minutes:** 50
+# - **Minutes:** 55
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
 #   - write a node class, and give each of its nodes a name and a namespace
 #   - create two nodes with different names from one class
 #   - say what happens when two nodes have the same name
 #   - read error messages about names and attributes
-# - **Left out:** messages between nodes (lessons 03 and 04), parameters, launch files, and nodes in C++ packages
+# - **Not covered:** messages between nodes (lessons 03 and 04), parameters, launch files, and nodes in C++ packages
 
 # %% [markdown]
-# The program `roll_call` lists the nodes on the graph five times a second. It runs in its own process, separate from
-# this notebook's. Let's create a node in the notebook and print the other process's list.
+# The program `roll_call` lists the nodes in the graph five times a second. It runs in a separate process. Let's create
+# a node in the notebook and print the other process's list.
 
 # %%
 from lesson_nodes import roll_call
@@ -43,7 +43,8 @@ print("the other process sees", reader.latest())
 
 # %% [markdown]
 # `Node("head")` created the node, and the other process found it. Here are more roll calls, drawn as a timeline. The
-# head appears, then the arm, and then the head disappears. Each mark is a roll call that included the node in that row.
+# head appears, then the arm, and then the head disappears. Each row belongs to one node, and each mark is a roll call
+# in which that node was present.
 #
 # [the same without helpers: init, start, fresh, run]
 
@@ -100,17 +101,18 @@ show(
 #
 # When the second node is created, the name `"camera"` is already in use. What happens?
 #
-# - **a** An error: a name can be used once.
-#   ✗ ROS 2 has no central register of names, so no part of it can refuse one. (ROS 1 had such a register, the master.)
-# - **b** The second one takes the place of the first.
+# - **a** ROS raises an error, because a name can be used only once.
+#   ✗ ROS 2 has no central registry of names, so nothing can reject a duplicate. (ROS 1 had such a registry, the
+#   master.)
+# - **b** The second node replaces the first one.
 #   when `named_camera == 1 and all_nodes == 1`
-#   ✗ The two nodes do not know each other. Neither ends because another one has its name.
-# - **c** Both are there, under the same name.
+#   ✗ The two nodes don't affect each other. A node doesn't end because another node has the same name.
+# - **c** Both nodes exist, under the same name.
 #   when `named_camera == 2`
-#   ✓ Names are not checked for duplicates. Both nodes are on the graph, and both are called `/camera`.
-# - **d** ROS numbers them: `camera` and `camera_2`.
+#   ✓ ROS doesn't check for duplicate node names. The graph contains both nodes, and both are called `/camera`.
+# - **d** ROS numbers the nodes: `camera` and `camera_2`.
 #   when `named_camera == 1 and all_nodes > 1`
-#   ✗ ROS never numbers nodes for you. A node has the name that it was given.
+#   ✗ ROS never numbers nodes. A node keeps the name that you give it.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -152,14 +154,14 @@ right.destroy_node()
 #
 # A **node** is a participant in the **graph**, the network of all nodes and their connections. No central registry
 # assigns names. Each process announces its own nodes, and the other processes add these nodes to their lists without
-# checking for duplicates. So two nodes can have the same name. Such **duplicate node names** are a mistake. If another
+# checking for duplicates. So two nodes can have the same name. But avoid such **duplicate node names**. If another
 # program sends a request to `/camera`, both nodes handle it, and the program gets whichever response arrives first. ROS
 # doesn't treat duplicate names as an error, though: the cell above printed only a warning.
 #
 # A node isn't a process: this notebook's process contained two nodes. And a node isn't a class, because you can create
 # many nodes from one class.
 #
-# What does every node come with? The next cell lists its topics and services, including those that tools usually hide:
+# Every node comes with some topics and services. The next cell lists them, including the ones that tools usually hide:
 
 # %%
 from workbook.ros import node_info
@@ -190,20 +192,20 @@ for method in ("__init__", "take_picture", "report_faults"):
 # %% [markdown] prediction="three-runs"
 # ## Change it
 #
-# ### Experiment 1: a cell that is run three times
+# ### Experiment 1: running a cell three times
 #
-# In a notebook, you run a cell, change a word, and run the cell again. This cell creates a camera node and adds it to
-# an **executor**, which runs the node's callbacks (lesson 06). You press Shift+Enter three times. How many camera nodes
+# In a notebook, you run a cell, change a word, and run it again. Suppose a cell creates a camera node and adds it to an
+# **executor**, which runs the node's callbacks (lesson 06). You press Shift+Enter three times. How many camera nodes
 # are there?
 #
 # - **a** One: `camera` is overwritten each time, so the old one is gone.
 #   when `cameras == 1`
-#   ✗ The variable is overwritten, but the executor still has a reference to each node, and so each of them lives on.
+#   ✗ Only the variable is overwritten. The executor still has a reference to each node, so Python keeps all three.
 # - **b** Three
 #   when `cameras == 3`
-#   ✓ Each run makes a new node. The executor keeps the old ones, so Python does not remove them.
-# - **c** None: the second run raises an error, and the third, too.
-#   ✗ A second node with the same name is no error. That is why it goes unnoticed.
+#   ✓ Each run creates a new node. The executor keeps its references to the old ones, so Python doesn't delete them.
+# - **c** None: the second and third runs raise an error.
+#   ✗ A duplicate node name isn't an error, so nothing reports the extra nodes.
 
 # %%
 predict("three-runs")
@@ -272,8 +274,8 @@ for camera in executor.get_nodes():
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
-# A humanoid with two arms has two of almost every part. So ROS organizes names in folders, much like files. A node's
-# folder is called its **namespace**. Here's a camera in the namespace `/robot/head` that uses three topic names:
+# A humanoid has two of almost every part. To keep their names apart, ROS organizes names into folders, much like files.
+# A node's folder is called its **namespace**. Here's a camera in the namespace `/robot/head`, with three topic names:
 #
 # ```python
 # camera = Node("camera", namespace="/robot/head")
@@ -286,15 +288,16 @@ for camera in executor.get_nodes():
 #
 # - **a** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
 #   when `faults == '/robot/head/faults' and frame == '/robot/head/camera/frame'`
-#   ✓ A relative name goes into the namespace, a name with a slash at the front stays, and `~` stands for the node
-#   itself.
+#   ✓ A relative name gets the namespace as a prefix. A name with a leading slash stays as it is. `~` stands for the
+#   node's fully qualified name.
 # - **b** `/faults`, `/emergency_stop`, `/frame`
 #   when `faults == '/faults'`
-#   ✗ A relative name, without a slash at the front, is put into the namespace of the node.
+#   ✗ A name without a leading slash is relative, so ROS puts the node's namespace in front of it.
 # - **c** `/robot/head/camera/faults`, `/robot/head/emergency_stop`, `/robot/head/frame`
-#   ✗ The name of the node becomes a part of a topic only where you write `~`. And an absolute name is never moved.
+#   ✗ ROS puts the node's name into a topic name only if you write `~`. And it never changes an absolute name.
 # - **d** `/robot/head/faults`, `/robot/head/emergency_stop`, an error for `~`
-#   ✗ An absolute name stays outside of the namespace. `~` is valid: it stands for the fully qualified name of the node.
+#   ✗ `/emergency_stop` is absolute, so ROS doesn't add the namespace. `~` is valid: it stands for the node's fully
+#   qualified name.
 
 # %%
 predict("topic-names")
@@ -320,10 +323,10 @@ camera.destroy_node()
 #
 # The leading slash makes the difference. With `/faults`, a second robot would report its faults on the same topic.
 # (This course's short examples mostly use absolute names, so that you see each name in full. In your own drivers, use
-# relative and private names, as this driver does.)
+# relative and private names, as `CameraDriver` does.)
 #
 # **Your turn.** Each of three cameras publishes its `temperature`. Write one topic name that gives each camera its own
-# topic. The cell after yours creates two robots from the unchanged driver class.
+# topic. The cell after that creates two robots from the unchanged driver class.
 
 # %% id="your-topic-name"
 topic_name = ...  # TODO: one name for all three, in quotes
@@ -357,7 +360,7 @@ print(*topic_list().names, sep="\n")
 graph_picture()
 
 # %% [markdown] prediction="remapped-node"
-# ### Experiment 3: another name from outside
+# ### Experiment 3: renaming a node from outside
 #
 # A robot has a front camera and a rear camera, both in *one* namespace. The node's name is hard-coded in the driver,
 # which you aren't allowed to edit. But ROS can **remap** names when a node starts. In a terminal, you type:
@@ -366,18 +369,20 @@ graph_picture()
 # python -m lesson_nodes.camera_driver --ros-args -r __ns:=/robot -r __node:=rear_camera
 # ```
 #
-# `-r` (remap) replaces the name on the left of `:=` with the one on the right. `__node` and `__ns` stand for the node's
-# own name and namespace. The driver publishes to `~/frame` and to `faults`. Which topics do its messages go to now?
+# `-r` (remap) replaces the name on the left of `:=` with the name on the right. `__node` and `__ns` stand for the
+# node's own name and namespace. The driver publishes to `~/frame` and `faults`. What are their fully qualified names
+# now?
 #
 # - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
 #   when `'/robot/rear_camera/faults' in names`
-#   ✗ `faults` is relative: the namespace comes before it, the name of the node does not.
-# - **b** `/robot/camera/frame` and `/robot/faults`: the node has another name, its topics do not
+#   ✗ `faults` is a relative name, so it gets only the namespace as a prefix, not the node's name.
+# - **b** `/robot/camera/frame` and `/robot/faults`: the node is renamed, but its topics aren't
 #   when `'/robot/camera/frame' in names`
-#   ✗ Names are resolved after the remapping. `~` follows the new name of the node.
+#   ✗ ROS resolves topic names after it has renamed the node, so `~` stands for the new name.
 # - **c** `/robot/rear_camera/frame` and `/robot/faults`
 #   when `'/robot/rear_camera/frame' in names and '/robot/faults' in names`
-#   ✓ `~` stands for the node's name, which is the new one now. A relative name depends on the namespace only.
+#   ✓ `~` stands for the node's fully qualified name, which ends in `rear_camera` now. A relative name depends only on
+#   the namespace.
 
 # %%
 predict("remapped-node")
@@ -404,7 +409,7 @@ for printed in end.log.splitlines():
 reveal("remapped-node", names=end.log.split())
 
 # %% [markdown]
-# The driver's code didn't change, but its private and relative names followed the node's new name and namespace. That's
+# The driver's code didn't change, but its private and relative names followed the new node name and namespace. That's
 # why good drivers use such names.
 #
 # What if both cameras run in one process? Command-line arguments apply to *all* nodes in the process. Both nodes would
@@ -438,7 +443,7 @@ init()
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Duplicate node names.** If two nodes have the same name, rclpy logs this warning:
+# **Duplicate node names.** If two nodes have the same name, rcl logs this warning:
 
 # %% id="twin-warning"
 SAME_NAME = """
@@ -455,8 +460,8 @@ for printed in run_program(SAME_NAME).log.strip().splitlines():
 
 # %% [markdown]
 # The warning mentions only logs, but lost log messages are the least of your problems. The real problem is the
-# duplicate node names. To confirm it, run `workbook node list` (or `ros2 node list`, if ROS 2 is installed), which
-# shows the name twice. Common causes are a program that you started in two terminals, a cell that you ran twice, and a
+# duplicate node names. To find them, run `workbook node list` (or `ros2 node list`, if ROS 2 is installed): it shows
+# the name twice. Common causes are a program that you started in two terminals, a cell that you ran twice, and a
 # program that you didn't stop.
 #
 # **Invalid names.** Which of these names can you give to a node?
@@ -550,7 +555,7 @@ Collector()
 
 # %% [markdown]
 # `Node` already has a property called `timers`, and Python reports the conflict. Some names that start with an
-# underscore are worse: `Node` uses them for its internal data, and nothing protects them. The next class raises no
+# underscore are worse: `Node` uses them for its internal data, but nothing protects them. The next class raises no
 # exception, but its timer never fires:
 
 
@@ -573,9 +578,9 @@ await run(quiet, seconds=1.0)
 print("ticks in a second:", quiet.ticks)
 
 # %% [markdown]
-# `self._timers` was the list in which the node stored its timer, and the class replaced that list. If you overwrite
-# `_logger`, `_clock`, or `_parameters`, the error appears later, far from its cause. Descriptive names such as
-# `blink_timer` and `battery_publisher` don't collide.
+# `self._timers` is the list in which `Node` stores its timers, and this class replaced it. If you overwrite `_logger`,
+# `_clock`, or `_parameters`, the error appears later, far from its cause. Descriptive names such as `blink_timer` and
+# `battery_publisher` don't clash with `Node`'s own.
 #
 # **rclpy's logger isn't Python's `logging`.** It looks similar, but its methods take different arguments:
 
@@ -597,9 +602,9 @@ say("info", "battery fine")
 say("warning", "battery low")
 
 # %% [markdown]
-# For each *line of code* that logs, rclpy remembers the **severity** (such as `info`), and options such as `once=True`
-# rely on that record. If one line logs at two different severities, rclpy raises an error. So write an `if` statement
-# with a separate line for each severity.
+# rclpy keeps a record for each *line of code* that logs, because options such as `once=True` apply per line. The record
+# includes the **severity**, such as `info`. If the line later logs at another severity, rclpy raises an error. So write
+# an `if` statement with a separate line for each severity.
 #
 # The logger's name combines the node's namespace and name. By default, each log message is also published to
 # `/rosout`.
@@ -607,8 +612,8 @@ say("warning", "battery low")
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** One robot has two arms, `/robot/left/arm` and `/robot/right/arm`, both from the same class. The class uses
-# a plain node name and a private topic. Each node gets its namespace when it's created.
+# **Worked example.** One robot has two arms, `/robot/left/arm` and `/robot/right/arm`, both from the same class. The
+# class uses a plain node name and a private topic. Each node gets its namespace when it's created.
 
 # %%
 from std_msgs.msg import String
@@ -629,8 +634,8 @@ for arm in arms:
     )
 
 # %% [markdown]
-# **Faded.** Now put both arms into the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`, without
-# changing the class. Replace each `...` with your code.
+# **Fill in the blanks.** Now put both arms into the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`,
+# without changing the class. Replace each `...` with your code.
 
 # %%
 shutdown()
@@ -662,7 +667,7 @@ yours(
 #
 # <details><summary>a) The second terminal shows an error, because the name is taken</summary>
 #
-# ✗ There's no central registry, so nothing can refuse a name.
+# ✗ There's no central registry, so nothing can reject a name.
 #
 # </details>
 # <details><summary>b) There are two nodes with the same name, and every message is published twice</summary>
@@ -680,7 +685,7 @@ yours(
 #
 # <details><summary>a) <code>/ada/faults</code></summary>
 #
-# ✗ It would be, without the leading slash.
+# ✗ That's the result for `faults`.
 #
 # </details>
 # <details><summary>b) <code>/ada/camera/faults</code></summary>
@@ -703,7 +708,7 @@ yours(
 # </details>
 # <details><summary>b) <code>Node("/robot/camera")</code></summary>
 #
-# ✗ That raises the same exception. A node name can't contain a slash, not even at the front.
+# ✗ That raises the same exception. A node name can't contain a slash, not even as its first character.
 #
 # </details>
 # <details><summary>c) <code>Node("robot_camera")</code></summary>
@@ -712,7 +717,7 @@ yours(
 #
 # </details>
 #
-# **4. A program creates two nodes from one class. You pass it `--ros-args -r __node:=scout`. What are they called?**
+# **4. A program creates two nodes from one class. You pass it `--ros-args -r __node:=scout`. What are the nodes called?**
 #
 # <details><summary>a) Both are called <code>scout</code></summary>
 #
@@ -761,7 +766,7 @@ yours(
 # Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # Each robot gets a namespace, such as `/robot_07`. A launch file, a remapping rule, or an environment variable sets it
 # when the nodes start, so it never appears in the code. Inside the namespace, nodes use relative names for shared
@@ -769,9 +774,9 @@ yours(
 # emergency stop or a map, get absolute names. The dashboard queries the graph for namespaces or topics, and uses each
 # namespace as the robot's name.
 #
-# A good answer also asks how many nodes should share a domain. (Here, all twenty robots share one domain, so it
-# contains 300 nodes. One domain per robot, plus a bridge, may be better.) And it asks what happens if two robots get
-# the same number by mistake. (Their nodes have duplicate names, so check for that at startup.)
+# A good answer also asks how many nodes should share a domain. (If all twenty robots share one domain, it contains 300
+# nodes. One domain per robot, plus a bridge, may be better.) A good answer also asks what happens if two robots get the
+# same number by mistake. (Their nodes would have duplicate names, so check for that at startup.)
 #
 # </details>
 #
@@ -779,7 +784,7 @@ yours(
 #
 # Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
-# - **ROS 2 refuses a second node with the same name:** It doesn't. Both nodes run, and only a warning says that their
+# - **ROS 2 rejects a second node with the same name:** It doesn't. Both nodes run, and only a warning says that their
 #   log messages share one publisher.
 # - **Start it with `__ns:=/robot_07`:** That's ROS 1 syntax. rcl still accepts it, with a warning that it's deprecated.
 #   In ROS 2, write `--ros-args -r __ns:=/robot_07`.

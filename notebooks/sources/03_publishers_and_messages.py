@@ -1,8 +1,9 @@
 # %% [markdown]
 # # 03 · Publishers and messages
 #
-# One topic carries speeds to a robot's wheels. Another carries the battery charge to a screen. Both topics need a
-# publisher and a message with a number in it. How do you publish a number so that the same number arrives?
+# One topic carries speeds to a robot's wheels, and another carries the battery charge to a screen. Both need a
+# publisher and a message that contains a number. How do you make sure that the number that arrives is the one you
+# published?
 #
 # - **Minutes:** 50
 # - **You need:** lessons 00 to 02
@@ -10,8 +11,8 @@
 #   - create a publisher
 #   - put numbers into the fields of a message
 #   - read the errors that publishers raise
-# - **Left out:** receiving (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, images, and
-#   richer message types (the deeper notebook)
+# - **Not covered:** receiving messages (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, images,
+#   and richer message types (the deeper notebook)
 
 # %% [markdown]
 # A node controls how fast a small robot drives and turns. It publishes both speeds ten times per second, on the topic
@@ -30,13 +31,14 @@ print("the first one:", commands[0])
 
 # %% [markdown]
 # Each message has the type `Twist`, which consists of two groups of three numbers. `linear` is the speed in m/s, and
-# `angular` is the turning rate in rad/s. A robot on the floor uses two of the six: its forward speed (`linear` `x`)
-# and its turning rate to the left (`angular` `z`). In ROS, x points forward and y points to the left ([REP
-# 103](https://www.ros.org/reps/rep-0103.html)).
+# `angular` is the turning rate in rad/s. This robot uses only two of the six: `linear.x`, its forward speed, and
+# `angular.z`, its turning rate. In ROS, x points forward, y points to the left, and a positive `angular.z` is a turn to
+# the left ([REP 103](https://www.ros.org/reps/rep-0103.html)).
 #
 # [the same without helpers: record]
 #
-# Where does the robot go? To find out, we follow each command for a tenth of a second, as the robot would.
+# Where does the robot go? To find out, we compute its path: like the robot, we follow each command for a tenth of a
+# second.
 
 # %%
 from workbook.pictures.path import path_of, show_path
@@ -51,25 +53,25 @@ show_path(
 # Now change the recording: use `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, eight=False)`, and run both cells
 # again.
 #
-# Which field of a `Twist` does what? Predict before you publish messages of your own.
+# Which field of a `Twist` does what? Make a prediction before you publish your own messages.
 
 # %% [markdown] prediction="the-other-circle"
 # ## Predict
 #
-# The robot keeps driving at 0.4 m/s and turning left at 1.0 rad/s. That makes a circle 0.8 m across. Now it turns at
-# 0.5 rad/s. What path does it take?
+# The robot drives at 0.4 m/s and turns left at 1.0 rad/s, so its path is a circle 0.8 m across. Now it keeps its speed
+# but turns at only 0.5 rad/s. What path does it take?
 #
 # - **a** A circle twice as wide
 #   when `1.2 <= width_m < 2.0`
-#   ✓ The radius is the speed forward divided by the speed of turning. Half the turning gives twice the radius.
+#   ✓ The radius is the forward speed divided by the turning speed. Half the turning speed doubles the radius.
 # - **b** A circle half as wide
 #   when `width_m < 0.6`
-#   ✗ It is the other way around: a slower turn takes the robot further before the circle is closed.
+#   ✗ It's the other way around: a robot that turns more slowly drives farther before it completes the circle.
 # - **c** The same circle, driven at half the speed
 #   when `0.6 <= width_m < 1.2`
-#   ✗ The speed forward stays 0.4 m/s. Only the turning is slower, and that changes the circle.
+#   ✗ The forward speed stays 0.4 m/s. Only the turning speed changes, and that changes the circle.
 # - **d** A spiral
-#   ✗ For a spiral, one of the two speeds would have to change on the way. Both are constant.
+#   ✗ For a spiral, one of the two speeds would have to keep changing, but both are constant.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -103,8 +105,8 @@ show_path(
 )
 
 # %% [markdown]
-# The robot drives as fast as before but turns half as fast. So a lap takes twice as long and covers twice the
-# distance. The circle's radius is the speed divided by the turning rate: 0.4 / 0.5 = 0.8 m.
+# The robot drives as fast as before but turns half as fast. So a lap takes twice as long and covers twice the distance.
+# The circle's radius is the speed divided by the turning rate: 0.4 / 0.5 = 0.8 m. So the circle is now 1.6 m across.
 
 # %% [markdown]
 # ## Look inside
@@ -123,7 +125,7 @@ show_path(
 # |---|---|---|
 # | message type | `Twist` | the message class itself, not its name in quotes, and not a Python type |
 # | topic | `"/robot/cmd_vel"` | the exact name that other programs use to find it |
-# | depth | `10` | how many messages the publisher keeps for retransmission; the deeper notebook measures it |
+# | depth | `10` | how many messages the publisher keeps for retransmission; the deeper notebook measures its effect |
 #
 # A topic has only **one** type, so all of its publishers and subscriptions must use that type.
 #
@@ -141,15 +143,16 @@ print(Float32())
 
 # %% [markdown]
 # **`std_msgs` is for learning.** `Float32`, `String`, and the other single-value types in `std_msgs` have been
-# deprecated since ROS 2 Foxy, so real robots shouldn't use them. For example, 0.8 on `/robot/battery` doesn't say
-# whether it's a percentage, which battery it describes, or when it was measured. This course uses these types because
-# they're short. On a robot, use types with a meaning, such as `sensor_msgs/BatteryState`, or define your own.
+# deprecated since ROS 2 Foxy, so real robots shouldn't use them. For example, a value of 0.8 on `/robot/battery`
+# doesn't say whether it's a percentage, which battery it describes, or when it was measured. This course uses these
+# types because they're short. On a robot, use types with self-explanatory fields, such as `sensor_msgs/BatteryState`,
+# or define your own.
 
 # %% [markdown]
 # ### Nested messages
 #
-# A `Twist` contains two messages of type `Vector3`, and these contain the numbers. All six numbers start at zero, so
-# you set only those that you need:
+# A `Twist` contains two messages of type `Vector3`, each of which holds three numbers. All six numbers start at zero,
+# so you set only the ones that you need:
 
 # %%
 from geometry_msgs.msg import Twist, Vector3
@@ -189,24 +192,24 @@ yours(
 # The program uses this course's packages with their default settings. A screen subscribes to the topic. What does it
 # show?
 #
-# - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
+# - **a** 80.0, because Python converts 80 to a float wherever a float is expected.
 #   when `arrived_for_80 == 80`
-#   ✗ Python converts nothing here. The field is set to the int 80, as it is.
-# - **b** Nothing, because `Float32(data=80)` raises an error: 80 is not a float.
-#   ✗ It does so when field checks are on. By default they are off, and the message takes any object.
+#   ✗ Python doesn't convert anything here. The message stores the int 80 as it is.
+# - **b** Nothing, because `Float32(data=80)` raises an error: 80 isn't a float.
+#   ✗ It would if field checks were on. By default, they're off, so the message accepts any object.
 # - **c** 0.0
 #   when `arrived_for_80 == 0`
-#   ✓ The C code of this build reads the int as if it were a Python float, and gets 0.0. The Ubuntu packages can abort
-#   the program here.
-# - **d** Nothing, because `publish` raises an error: it looks at the fields before it sends.
-#   ✗ `publish` does not check the fields either. It hands the message to C code, which expects a Python float.
+#   ✓ This build's C code reads the int as if it were a Python float, and gets 0.0. With the Ubuntu packages, the
+#   program may abort here.
+# - **d** Nothing, because `publish` checks the fields before it sends them, and raises an error.
+#   ✗ `publish` doesn't check the fields, either. It passes the message to C code, which expects a Python float.
 
 # %%
 predict("int-in-a-float-field")
 
 # %% [markdown]
-# The program [battery_levels](../lesson_nodes/battery_levels.py) publishes one level after the other. It runs in its own
-# process, with default settings. We give it eleven levels, and print what arrives.
+# The program [battery_levels](../lesson_nodes/battery_levels.py) runs in its own process, with default settings. We
+# give it eleven levels, which it publishes one after another. Then we print the values that arrive.
 
 # %% id="given-arrived"
 from lesson_nodes import battery_levels
@@ -234,16 +237,17 @@ reveal("int-in-a-float-field", arrived_for_80=arrived[1])
 
 # %% [markdown]
 # `publish` serializes the message, which means that it converts the message to bytes that any other program can read.
-# For a `float32` field, this build reads the memory of a Python float, **without checking the object's type**. An
-# `int` has different bytes there. Interpreted as a float, these bytes usually form a number so tiny that it becomes
-# 0.0.
+# For a `float32` field, this build reads the value's memory as if the value were a Python float, **without checking its
+# type**. An `int` stores different bytes there. Interpreted as a float, they usually form a number so tiny that it
+# becomes 0.0.
 #
 # **On your robot, this line may do something worse.** The Ubuntu packages can abort the whole process here, with
-# ``Assertion `PyFloat_Check(field)' failed``, and no `except` catches that ([rclpy
+# ``Assertion `PyFloat_Check(field)' failed``, and no `except` clause can catch that ([rclpy
 # 1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Only three of the eleven values arrive correctly. One arrives as `nan`, *not a number*. Compare the two NumPy floats:
-# `np.float64` arrives, but `np.float32` doesn't. This fault is common, because neural networks compute in `np.float32`.
+# the `np.float64` arrives correctly, but the `np.float32` doesn't. This bug is common, because neural networks usually
+# compute in `np.float32`.
 #
 # **Your turn.** A single call converts every kind of number. Write the message for this level.
 
@@ -256,8 +260,8 @@ message = ...  # TODO: a Float32 that holds the level as a Python float
 yours(message, Float32(data=55.5), "Float32(data=float(level))")
 
 # %% [markdown]
-# `float(level)` raises an error for `None` and for a list. However, it still accepts some values that you'd rather refuse.
-# The exercise deals with those.
+# `float(level)` raises an error for `None` and for a list. However, it also accepts some values that you'd rather
+# reject. You'll deal with those in the exercise.
 
 # %% [markdown] prediction="a-tenth"
 # ### Experiment 2: a tenth
@@ -265,15 +269,17 @@ yours(message, Float32(data=55.5), "Float32(data=float(level))")
 # `Float32` stores its number in 32 bits, but a Python float has 64. We send four values, all of them Python floats.
 # Does 0.1 arrive as 0.1?
 #
-# - **a** Yes: 0.1 is a simple number, 32 bits are plenty.
+# - **a** Yes: 0.1 is a simple number, so 32 bits are plenty.
 #   when `arrived == 0.1`
-#   ✗ 0.1 looks simple in decimal digits. In binary digits it never ends, so it is cut off after 32 bits or after 64.
+#   ✗ 0.1 is simple only in decimal. In binary, its digits never end, so both the 32-bit and the 64-bit float cut them
+#   off.
 # - **b** Not quite: about 0.1000000015 arrives.
 #   when `arrived > 0.05 and arrived != 0.1`
-#   ✓ 32 bits hold the nearest number that fits. Read as 64 bits again, it is not the 0.1 that you gave.
-# - **c** No: it is rounded to 0.0.
+#   ✓ The message carries the 32-bit number that's closest to 0.1. As a 64-bit float, that number isn't equal to your
+#   0.1.
+# - **c** No: it's rounded to 0.0.
 #   when `arrived == 0`
-#   ✗ It is rounded to the nearest number that fits into 32 bits. That is far closer to 0.1 than zero is.
+#   ✗ It's rounded to the closest 32-bit number, which is far closer to 0.1 than 0.0 is.
 
 # %%
 predict("a-tenth")
@@ -289,7 +295,7 @@ reveal("a-tenth", arrived=tenth)
 # A 32-bit float has about seven significant digits. 0.5 is a power of two, so it fits exactly, but 0.1 doesn't. Above
 # 16 777 216, not even every whole number fits. And any number above 3.4e38 becomes infinite, without a warning.
 #
-# So don't test whether such a number *equals* 0.1. Test whether it's close enough:
+# So don't test whether a number from a 32-bit field *equals* 0.1. Test whether it's close enough:
 
 # %%
 import math
@@ -298,8 +304,8 @@ print(f"relative difference: {abs(tenth - 0.1) / 0.1:.1e}")
 print("is close to 0.1, by default:", math.isclose(tenth, 0.1))
 
 # %% [markdown]
-# **Your turn.** By default, `isclose` demands a relative difference below 1e-9, more precision than 32 bits can store.
-# Write the test with a tolerance that fits the number above.
+# **Your turn.** By default, `isclose` accepts a relative difference of at most 1e-9, but 32 bits can't store numbers
+# that precisely. Write the test with a tolerance that suits 32-bit floats.
 
 # %% id="your-tolerance"
 close = ...  # TODO: math.isclose(tenth, 0.1, rel_tol=...)
@@ -323,8 +329,8 @@ Float32(data=80)
 
 # %% [markdown]
 # The environment variable `ROS_PYTHON_CHECK_FIELDS=1` turns the checks on. They're off by default, because they take
-# time. While you develop, set the variable where you start the program, because it must be set **before** the message
-# class is imported. The next cells write two programs that set it themselves, and run both.
+# time. The variable must be set **before** the message class is imported. So while you develop, set it in the terminal
+# before you start the program. The next cells write two programs that set it in their own code, and run both.
 
 # %%
 # %%writefile early.py
@@ -354,13 +360,13 @@ print("switched on before the import:", errors[-1])
 print("switched on after the import: 80 arrives as", *values(late, BATTERY))
 
 # %% [markdown]
-# Setting the variable after the import has no effect, and nothing reports that. The class reads the variable only
-# once, when it's loaded. For a single message, you can turn the checks on at any time:
+# Setting the variable after the import has no effect, and you get no warning. The class reads the variable only once,
+# when it's loaded. For a single message, you can turn the checks on at any time:
 # `Float32(data=level, check_fields=True)`.
 #
-# The checks find this kind of fault, but they don't fix it. They refuse a harmless `80`, yet they accept `nan`.
-# They're also off on every robot whose developers forgot to turn them on. So convert and check each value yourself,
-# at the point where it enters your program.
+# The checks find this kind of bug, but they don't fix it. They reject `80`, which `float()` could have converted, but
+# accept `nan`. And if a robot's developers forget to turn them on, the checks do nothing. So convert and check each
+# value yourself, at the point where it enters your program.
 #
 # ### Publishing a plain string
 #
@@ -401,9 +407,9 @@ voice.create_publisher(String, "/robot/mood")
 voice.create_publisher("String", "/robot/mood", 10)
 
 # %% [markdown]
-# Your program doesn't use ROS 1. The error really means that *the first argument isn't a message class*. Here, the
-# argument is only the class's name in quotes. To fix it, import the class and remove the quotes:
-# `from std_msgs.msg import String`, and `create_publisher(String, ...)`.
+# Your program doesn't use ROS 1. The error really means that *the first argument isn't a message class*. Here, it's
+# just the class's name in quotes. To fix it, import the class and remove the quotes: `from std_msgs.msg import String`,
+# and `create_publisher(String, ...)`.
 #
 # ### One topic, two types
 #
@@ -417,9 +423,9 @@ except Exception as error:
     print(type(error).__name__, "·", str(error).split(", at ")[0])
 
 # %% [markdown]
-# `rt/robot/voice` is the topic's name in DDS, and `..._::Float32_` is the type that doesn't match. If the two types
-# are in two **different** programs, you get no error. In the next cell, one program publishes the battery level as
-# `Float32`, but the node in this notebook expects `Float64`:
+# In the error, `rt/robot/voice` is the topic's name in DDS, and `..._::Float32_` is the type that doesn't match. If two
+# **different** programs use the two types, you don't even get an error. In the next cell, one program publishes the
+# battery level as `Float32`, but the node in this notebook expects `Float64`:
 
 
 # %% id="two-types-two-programs"
@@ -447,15 +453,16 @@ stop()
 ear.destroy_node()
 
 # %% [markdown]
-# No message arrives, and neither side logs a warning. Fast DDS, the DDS of this build, connects a publisher and a
-# subscription only if the names of their types are equal. So if a topic has a publisher but nothing arrives, compare
-# the types. Use `topic_info` here, and `ros2 topic info --verbose` on a robot.
+# No message arrives, and neither side logs a warning. Fast DDS, the DDS implementation in this build, connects a
+# publisher and a subscription only if their type names match. So if a topic has a publisher but nothing arrives,
+# compare the types. Use `topic_info` here, and `ros2 topic info --verbose` on a robot.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** This robot speaks. Its node creates the publisher only once, in `__init__`. The method `say` checks its
-# argument *before* it creates a message. A caller that passes an invalid value gets an error and can handle it.
+# **Worked example.** This robot speaks. Its node creates the publisher only once, in `__init__`. The method `say`
+# checks its argument *before* it creates a message. A caller that passes an invalid value gets an error and can handle
+# it.
 
 
 # %%
@@ -492,8 +499,8 @@ spin_for(ear, seconds=5, until=lambda: len(ear.heard) == 2)
 print("heard:", [message.data for message in ear.heard])
 
 # %% [markdown]
-# **Faded.** This robot drives. `drive` takes two numbers of any kind and publishes a `Twist`. Complete the two marked
-# places. Until you do, the cell prints a reminder.
+# **Fill in the blanks.** This robot drives. `drive` takes two numbers of any kind and publishes a `Twist`. Complete the
+# code at the two TODO comments. Until you do, the cell prints a reminder.
 
 # %%
 class Wheels(Node):
@@ -529,8 +536,8 @@ else:
     yours(got, (0.5, -1.0), "command.linear.x = float(forward_mps), and angular.z")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/03_publishers_and_messages.ipynb), you write a battery report that
-# never lies: it publishes every number correctly and refuses anything that isn't a number.
+# **Your own.** In the [exercise](../exercises/03_publishers_and_messages.ipynb), you write a battery node that
+# publishes every number correctly and raises an error for anything that isn't a number.
 
 # %% [markdown]
 # ## Check yourself
@@ -539,13 +546,14 @@ else:
 #
 # <details><summary>a) 55.5</summary>
 #
-# ✗ Both have 32 bits. But this build reads the memory of a Python float, and `np.float32` isn't a Python float.
+# ✗ It's true that the value and the field both have 32 bits. But this build reads the value's memory as if it were a
+# Python float, and an `np.float32` is laid out differently.
 #
 # </details>
 # <details><summary>b) 0.0</summary>
 #
-# ✓ In this build, nothing raises an error. With the Ubuntu packages, the process may abort. Convert the value with
-# `float(...)`.
+# ✓ In this build, there's no error. With the Ubuntu packages, the process may abort. To avoid both, convert the value
+# with `float(...)`.
 #
 # </details>
 # <details><summary>c) Nothing, because <code>publish</code> raises an error</summary>
@@ -568,21 +576,21 @@ else:
 # </details>
 # <details><summary>c) <code>command.linear.y = -0.5</code></summary>
 #
-# ✗ This command makes a robot slide to its right without turning. Most robots can't do that.
+# ✗ This command makes a robot slide to the right without turning, which most robots can't do.
 #
 # </details>
 #
-# **3. A publisher offers `String` on `/robot/voice`. Another program subscribes with `Float32`. What happens?**
+# **3. A program publishes `String` messages on `/robot/voice`. Another program subscribes with `Float32`. What happens?**
 #
 # <details><summary>a) The second program gets an error</summary>
 #
-# ✗ An error occurs only within one program. Between programs, DDS compares the names of the types and doesn't connect
-# different ones.
+# ✗ You'd get an error only if one program used both types. Between programs, DDS compares the type names and doesn't
+# connect a publisher and a subscription whose types differ.
 #
 # </details>
 # <details><summary>b) The text arrives as a number</summary>
 #
-# ✗ DDS doesn't convert anything, and nothing arrives.
+# ✗ DDS doesn't convert anything, so nothing arrives.
 #
 # </details>
 # <details><summary>c) No message arrives, and neither program reports that</summary>
@@ -595,12 +603,13 @@ else:
 #
 # <details><summary>a) The fields are checked from then on</summary>
 #
-# ✗ The class reads the variable when it's loaded, and at that time, the variable wasn't set yet.
+# ✗ The class reads the variable only when it's loaded. The program set the variable after that.
 #
 # </details>
 # <details><summary>b) None: the fields still aren't checked</summary>
 #
-# ✓ You saw this above: the int arrived as 0.0. Set the variable before the import, or where you start the program.
+# ✓ You saw this above: the int arrived as 0.0. Set the variable before the import, or in the terminal before you start
+# the program.
 #
 # </details>
 # <details><summary>c) An error, because the variable is set too late</summary>
@@ -609,7 +618,7 @@ else:
 #
 # </details>
 #
-# **5. A leg publishes its length as `Float32(data=0.1)`. A monitor tests `if message.data == 0.1` but never reacts. Why?**
+# **5. A node publishes a leg's length as `Float32(data=0.1)`. A monitor tests `if message.data == 0.1` but never reacts. Why?**
 #
 # <details><summary>a) 0.1 in 32 bits isn't the same number as 0.1 in 64 bits</summary>
 #
@@ -618,7 +627,7 @@ else:
 # </details>
 # <details><summary>b) The message was lost</summary>
 #
-# ✗ It arrives every time. Print the number, and you'll see its digits.
+# ✗ It arrives every time. Print the number, and you'll see that it isn't exactly 0.1.
 #
 # </details>
 # <details><summary>c) ROS sends floats as text, rounded to a few digits</summary>
@@ -640,11 +649,11 @@ else:
 # can't come back? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# First, look at the topic rather than the code: does 0.0 really arrive, and does only one node publish on the topic?
-# If so, print `type(level)` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`. Then the line
-# that puts anything but a float into the field raises an error.
+# First, look at the topic rather than the code: does 0.0 really arrive, and does only one node publish on the topic? If
+# so, print `type(level)` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`. With the field
+# checks on, a line that puts anything but a float into the field raises an error.
 #
 # There are three suspects: an `int` when the charge is a whole number, `None` when the library has no value, and
 # `np.float32` from the smoothing. The fix is to check values in one place, where they enter the program. There,
@@ -680,7 +689,7 @@ else:
 #
 # **Before:** [02 · Nodes](02_nodes.ipynb)
 #
-# **Deeper:** [03 · Deeper: queues, images, and messages with meaning](03_publishers_and_messages_deeper.ipynb)
+# **Deeper:** [03 · Deeper: queues, images, and richer message types](03_publishers_and_messages_deeper.ipynb)
 #
 # **Next:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb) covers the other end of the
 # topic.

@@ -1,16 +1,16 @@
 # %% [markdown]
-# # 03 · Deeper: queues, images, and messages with meaning
+# # 03 · Deeper: queues, images, and richer message types
 #
 # A camera robot publishes images in bursts. Its publisher has a queue, and most programs copy that queue's depth from
-# an example. What effect does this number have?
+# an example. What effect does the depth have?
 #
-# - **Minutes:** 15
+# - **Minutes:** 20
 # - **You need:** lesson [03](03_publishers_and_messages.ipynb)
 # - **You will be able to:**
 #   - explain the effect of a publisher's queue depth
 #   - read and fill an `Image` message
 #   - choose message types that other people understand
-# - **Left out:** the subscription's queue (lesson 04), other settings of quality of service (lesson 13)
+# - **Not covered:** the subscription's queue (lesson 04), other settings of quality of service (lesson 13)
 
 # %% [markdown]
 # This whole notebook is optional: later lessons don't depend on it.
@@ -23,15 +23,16 @@
 # 480 pixels (0.9 MB each) as fast as it can. It offers reliable delivery, which is the default. Its publisher has
 # depth 1. The subscription has depth 100, so all of the images fit into its queue. How many images arrive?
 #
-# - **a** All 20: reliable delivery sends again what gets lost.
+# - **a** All 20: reliable delivery sends lost images again.
 #   when `arrived == 20`
-#   ✗ It sends again only what the publisher still has. With depth 1, each new image takes the place of the one before.
+#   ✗ The publisher can send an image again only while it still keeps that image. With depth 1, each new image replaces
+#   the previous one.
 # - **b** 10, the default depth.
-#   ✗ There is no default depth in rclpy. The number in the program counts, and here it is 1.
+#   ✗ rclpy has no default depth. The program must choose one, and this program chose 1.
 # - **c** Only some of them.
 #   when `arrived < 20`
-#   ✓ The program publishes faster than the images travel. With depth 1 an image that is not delivered yet is gone
-#   when the next one comes.
+#   ✓ The program publishes faster than the images travel. With depth 1, each new image replaces the previous one, even
+#   if that one hasn't been delivered yet.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -41,9 +42,9 @@ predict("a-burst-of-pictures")
 # %% [markdown]
 # ## Run it
 #
-# The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). It starts its burst half a second
-# after it has discovered a subscription. We try three depths with three bursts each. After that, we try depth 1 again
-# with tiny images of 1 kB. The cell prints the worst of the three bursts.
+# The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). It starts its burst half a second after
+# it has discovered a subscription. We try three depths, and then depth 1 again with tiny images of 1 kB. For each
+# setting, we run three bursts and print how many images arrived in the worst one.
 #
 # [the same without helpers: init, fresh, start, spin_for, record]
 
@@ -101,11 +102,11 @@ reveal("a-burst-of-pictures", arrived=one)
 # | a burst in which each message counts, such as the parts of a map | at least the length of the burst |
 #
 # With small messages, the publisher's depth hardly matters, because each message is usually on its way before the next
-# one is published. That's why tests on a desk look fine.
+# one is published. That's why you don't notice the problem in tests with small messages.
 #
 # These notebooks use only the loopback network, but by default, Fast DDS also uses shared memory. We measured both,
-# using images of 300 kB and of 900 kB, with three bursts each. Every time, images were lost at depths 1 and 10, but
-# none were lost at depth 100.
+# using three bursts each of 300 kB and 900 kB images. Every time, images were lost at depths 1 and 10, but not at depth
+# 100.
 
 # %% [markdown]
 # ## Look inside
@@ -151,11 +152,11 @@ show(
 )
 
 # %% [markdown]
-# The data is just a row of 576 numbers, and `width`, `height`, and `encoding` define their meaning. If one of these
-# fields is wrong, no other program can read the image.
+# The data is just a sequence of 576 numbers, and `width`, `height`, and `encoding` define their meaning. If one of
+# these fields is wrong, no other program can read the image.
 #
-# **Your turn.** The rows come one after the other, from the top. Each pixel takes three numbers. Where in `data` does
-# the pixel in row 5 and column 3 begin? Rows and columns are counted from 0.
+# **Your turn.** The rows follow one another, starting at the top. Each pixel takes up three numbers. Where in `data`
+# does the pixel at row 5, column 3 begin? Rows and columns are counted from 0.
 
 # %% id="your-pixel"
 from workbook.lesson import yours
@@ -165,10 +166,10 @@ begin = ...  # TODO: compute it from image["width"]
 yours(begin, 249, "(5 * image['width'] + 3) * 3")
 
 # %% [markdown]
-# ### Messages with meaning
+# ### Richer message types
 #
-# A `Float32` message doesn't contain a unit, a time, or a source. `sensor_msgs` has types that do. You fill them
-# field by field, as with any other message:
+# A `Float32` message doesn't specify a unit, a time, or a source. `sensor_msgs` has types that do. You fill them field
+# by field, as with any other message:
 
 # %% id="with-meaning"
 import math
@@ -199,9 +200,9 @@ print(
 print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
-# These messages have timestamps and names, and their definitions specify the units. For unknown values, set `nan`
-# *yourself*, because these fields, too, start at 0.0. Other people's dashboards and loggers can then interpret your
-# messages without asking you.
+# These messages have timestamps and names, and their definitions specify the units. Set unknown values to `nan`
+# *yourself*, because these fields also start at 0.0. Other people's dashboards and loggers can then interpret your
+# messages.
 
 # %% [markdown]
 # ### Where 0.0 comes from
@@ -226,7 +227,7 @@ print("which in 32 bits is", ctypes.c_float(eight_bytes_of(80)).value)
 
 # %% [markdown]
 # `np.float64` is a subclass of Python's `float`, so it stores its value at the same position. `np.float32` isn't, as
-# the list of each class's base classes shows.
+# you can see from the base classes of the two.
 
 # %%
 for number in (np.float64(80), np.float32(80)):
@@ -235,10 +236,10 @@ for number in (np.float64(80), np.float32(80)):
 # %% [markdown]
 # ### Lines from other programs
 #
-# Much code on the web is for ROS 1, for C++, or for a full ROS 2 installation. And in a line of your own, a name may be
-# misspelled. Each of the following lines looks right but raises an exception here. The last one does what rclpy does
-# with an `async` callback that awaits `asyncio.sleep`: it sends the coroutine `None`. A thread tries the lines one by
-# one, because this notebook's main thread runs asyncio.
+# Much code on the web is for ROS 1, for C++, or for a full ROS 2 installation. And in your own code, you may misspell a
+# name. Each line below looks right but raises an exception here. The last one is an `async` callback that awaits
+# `asyncio.sleep`. It fails because rclpy runs the coroutine itself, rather than in an asyncio event loop. We run the
+# lines in a separate thread, because this notebook's main thread runs asyncio.
 
 # %% id="lines-of-others"
 import asyncio
@@ -267,8 +268,8 @@ with ThreadPoolExecutor(1) as thread:
         print(f"{line}: {type(error).__name__}: {error}".splitlines()[0])
 
 # %% [markdown]
-# Only some of these messages say what to write instead. The third one is empty: rclpy asserts that the policy is a
-# value of its enum, and an assertion has no text of its own. The [error museum](error_museum.md) has a fix for each.
+# Only some of these error messages say what to write instead. The third one is empty: rclpy checks that the policy is a
+# member of its enum, but its `assert` has no message. The [error museum](error_museum.md) has a fix for each one.
 
 # %% [markdown]
 # ## Take away
@@ -276,9 +277,10 @@ with ThreadPoolExecutor(1) as thread:
 # - The publisher's depth matters in a burst of large messages: an image that has been pushed out of the queue can't
 #   be sent again.
 # - An image's pixels are one long array. `width`, `height`, and `encoding` define how to read it.
-# - Before you copy a line, find out which ROS it was written for. ROS 1 and C++ have other names and keywords.
-# - For real interfaces, use types with a meaning, such as `BatteryState` and `JointState`. Use `nan` for unknown
-#   values.
+# - Before you copy a line, find out which ROS version and language it was written for. ROS 1 and C++ use different
+#   names and keywords.
+# - For real interfaces, use types with self-explanatory fields, such as `BatteryState` and `JointState`. Use `nan` for
+#   unknown values.
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
 #

@@ -5,18 +5,18 @@
 # its program needs a subscription, and a callback that handles each message.
 #
 # - **Minutes:** 50
-# - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
+# - **You need:** lessons [00](00_start_here.ipynb) to 03
 # - **You will be able to:**
 #   - subscribe to a topic, and write the callback that handles its messages
 #   - predict when the callback runs, and when it doesn't
 #   - choose a subscription's queue depth
 #   - measure how old a message is
-# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), most QoS
+# - **Not covered:** repeated work (lesson 05), the steps inside `spin` (06), long-running callbacks (10), most QoS
 #   settings (13)
 
 # %% [markdown]
-# Watch the robot walk up to a wall and away from it, again and again. One program measures the distance to the wall and
-# publishes it twenty times a second. A second program subscribes to that distance, and raises the robot's arms when the
+# Watch the robot walk to a wall and back, again and again. One program measures the distance to the wall and publishes
+# it to a topic, twenty times a second. A second program subscribes to that topic and raises the robot's arms when the
 # wall is close.
 
 # %%
@@ -45,8 +45,9 @@ stop()
 # %% [markdown] prediction="five-distances"
 # ## Predict
 #
-# Now you take the sensor's place. Two nodes in this notebook: `sensor` has a publisher, `guard` has a subscription. A
-# third node, the black box, is a program of its own. It listens, too, and counts.
+# Now you play the sensor. This notebook contains two nodes: `sensor` has a publisher, and `guard` has a subscription. A
+# third node, which we call the *black box*, runs in a separate program. It subscribes to the same topic and counts the
+# messages.
 #
 # ```python
 # for distance in (2.0, 1.6, 1.2, 0.8, 0.4):
@@ -54,21 +55,21 @@ stop()
 # time.sleep(1.0)
 # ```
 #
-# Programs call `rclpy.spin(node)`, notebooks `run(node)`. Here, neither `sensor` nor `guard` is spun. The black box spins,
-# as a program should. After that second, which nodes have handled the five messages?
+# To spin a node, programs call `rclpy.spin(node)`, and our notebooks call `run(node)`. At first, we spin neither
+# `sensor` nor `guard`. The black box spins all the time. After the `sleep`, which nodes have handled the five messages?
 #
-# - **a** None: publishing needs spin, so nothing was sent.
+# - **a** None: without spinning, `sensor` sends nothing.
 #   when `by_black_box == 0 and by_guard_before_spin == 0`
-#   ✗ `publish` hands the message to DDS, which sends it from threads of its own. It needs no spin.
-# - **b** Only the black box. When `guard` is spun later, it handles its five, too.
+#   ✗ `publish` hands the message to DDS, which sends it in its own threads. Publishing doesn't require spinning.
+# - **b** Only the black box. But if you spin `guard` later, it handles its five messages, too.
 #   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard == 5`
-#   ✓ The messages arrived at both. They waited in the queue of `guard` until it was spun.
-# - **c** Both: a callback is called as soon as its message arrives.
+#   ✓ The messages reached both nodes. Those for `guard` waited in its subscription's queue until you spun the node.
+# - **c** Both: each callback runs as soon as its message arrives.
 #   when `by_black_box == 5 and by_guard_before_spin == 5`
-#   ✗ A message that arrives goes into a queue. Its callback runs later, in a thread that spins the node.
-# - **d** Only the black box. What came while `guard` did not spin is lost.
+#   ✗ A message that arrives is put into a queue. Its callback runs only when a thread spins the node.
+# - **d** Only the black box. The messages that arrived before you spun `guard` are lost.
 #   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard < 5`
-#   ✗ The queue of `guard` has room for ten messages, and only five came. None was pushed out.
+#   ✗ The queue of `guard` has room for ten messages. Only five arrived, so it dropped none.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -121,8 +122,8 @@ sensor, guard = fresh(Sensor), fresh(Guard)
 print("the list of the guard:", guard.heard)
 
 # %% [markdown]
-# Two programs need a moment to discover each other. So the next cell waits until the publisher has two subscriptions,
-# the guard's and the black box's. Then it publishes the five distances.
+# Programs need a moment to discover each other. So the next cell waits for both subscriptions, the guard's and the
+# black box's, before it publishes the five distances.
 #
 # [the same without helpers: start, init, fresh, run]
 
@@ -162,9 +163,9 @@ stop()
 # %% [markdown]
 # ## Look inside
 #
-# Receiving and handling a message are two separate steps. First, the message **arrives**: DDS sends and receives in its
-# own threads. Later, the message is **handled**: your callback runs in your thread, while that thread is inside `spin`.
-# In between, the message waits in a **queue**.
+# Receiving and handling a message are two separate steps. First, the message **arrives**: DDS delivers it to your
+# program, using its own threads. Later, the message is **handled**: your callback runs in your thread, while that
+# thread is inside `spin`. In between, the message waits in a **queue**.
 #
 # A callback can take a second argument, which contains information *about* the message, such as the time when it was
 # received. The guard below records that time, along with the time when its callback runs. The sensor is a separate
@@ -205,7 +206,7 @@ print("received before the spin:", in_queue)
 print("handled before the spin: ", handled)
 
 # %% [markdown]
-# Play the recording. Each number is a message. Later lessons use this drawing again and call it the **machine**.
+# Play the recording. Each number is a message. Later lessons use this drawing again.
 
 # %% id="machine"
 show_machine(
@@ -217,25 +218,25 @@ show_machine(
 
 # %% [markdown]
 # Read the drawing from left to right. DDS puts each message into the **queue**, whether or not the node is being spun.
-# Inside `spin`, the **executor** waits on the **wait set**, which lists everything that can become ready. Then it takes
-# the oldest message, and the thread that spins runs your callback. **Publishing and receiving don't need `spin`, but
-# your callback does.**
+# Inside `spin`, the **executor** waits on the **wait set**, which lists the node's subscriptions, timers, and other
+# sources of work. When a message is waiting, the executor takes the oldest one, and the spinning thread runs your
+# callback. **Publishing and receiving don't need `spin`, but your callback does.**
 #
 # (If the message comes from another program, a DDS thread puts it into the queue. Within one program, Fast DDS does
 # this during the call to `publish`.)
 #
 # `rclpy.spin(node)` is a loop: it takes a message from a queue, calls the callback, and repeats. It never runs two
-# callbacks at the same time. So its callbacks need no locks, but a slow callback delays all the others.
-# Messages of *one* subscription are handled in the order in which they arrived. Between different subscriptions, the
-# order isn't guaranteed.
+# callbacks at the same time. So its callbacks need no locks, but a slow callback delays all the others. Messages for
+# *one* subscription are handled in the order in which they arrived. Between different subscriptions, the order isn't
+# guaranteed.
 
 # %% [markdown]
 # ### A myth, tested
 #
 # The official tutorial stores its subscription in an attribute, with the comment `# prevent unused variable warning`.
-# The comment refers to a linter. But many readers conclude that the garbage collector would otherwise remove the
-# subscription. The guards above didn't store theirs. The next cell runs the garbage collector and then publishes
-# another distance:
+# The comment is about a linter's warning. But many people conclude that without the attribute, the garbage collector
+# would remove the subscription. The guards above didn't store their subscriptions. The next cell runs the garbage
+# collector and then publishes another distance:
 
 # %% id="nothing-kept"
 import gc
@@ -253,23 +254,25 @@ print("subscriptions that its node keeps:", len(list(guard.subscriptions)))
 # %% [markdown] prediction="how-many-may-wait"
 # ## Change it
 #
-# ### Experiment 1: how many may wait
+# ### Experiment 1: the queue depth
 #
-# The last argument of `create_subscription` is the **subscription's queue depth**. A camera publishes 60 pictures, numbered
-# from 1 to 60, while three readers are busy. Their depths are 1, 10 and 100. Then they are spun. What do they get?
+# The last argument of `create_subscription` is the **subscription's queue depth**. Three readers subscribe to a camera,
+# with queue depths of 1, 10, and 100. While the readers are busy, the camera publishes images 1 to 60. Then we spin the
+# readers. Which images do they get?
 #
-# - **a** Numbers 51 to 60, for all three: the rest is gone after a moment.
+# - **a** All three get images 51 to 60: older messages expire after a moment.
 #   when `middle == 10 and deep == 10`
-#   ✗ There is no time limit on waiting. What is kept depends on the depth of each reader alone.
-# - **b** Number 60, numbers 51 to 60, and all 60: what is new pushes out what is old.
+#   ✗ By default, waiting messages don't expire. How many messages a reader keeps depends only on its queue depth.
+# - **b** Image 60, images 51 to 60, and all 60 images, respectively. New messages push out old ones.
 #   when `shallow == 1 and middle == 10 and deep == 60 and first_of_middle == 51`
-#   ✓ A full queue drops its oldest message for each new one. With depth 100 there was room for all 60.
-# - **c** All 60, each of them: a message that was received is never lost.
+#   ✓ For each new message, a full queue drops its oldest one. A depth of 100 has room for all 60.
+# - **c** Each of them gets all 60: once received, a message is never lost.
 #   when `shallow == 60 and middle == 60 and deep == 60`
-#   ✗ Received messages are kept only as far as the depth allows. A reader with depth 1 keeps one.
-# - **d** Number 1, numbers 1 to 10, and all 60: what comes when the queue is full is turned away.
+#   ✗ A queue keeps only as many messages as its depth allows. With a depth of 1, it keeps one.
+# - **d** Image 1, images 1 to 10, and all 60 images, respectively. A full queue rejects new messages.
 #   when `shallow == 1 and middle == 10 and deep == 60 and first_of_middle == 1`
-#   ✗ It is the oldest message that has to go, not the newest. A robot cares more for what is new.
+#   ✗ A full queue drops its oldest message, not the new one. For a robot, the newest message is usually the most
+#   useful.
 
 # %%
 predict("how-many-may-wait")
@@ -349,11 +352,11 @@ show(
 
 # %% [markdown]
 # A full queue drops its *oldest* message without a warning, so the newest message is always in the queue. The reader
-# with depth 100 received all 60 images, although it was busy. So a message isn't lost just because no callback is
-# running. (The publisher's depth is for retransmission and makes no difference here.)
+# with depth 100 received all 60 images, so no message gets lost just because the node is busy. (The publisher's depth
+# is for retransmission and makes no difference here.)
 #
-# **Your turn.** A reader should keep the last 1.5 s of a camera that takes 20 images a second. Choose its depth. The
-# cell sends 60 images, and checks the first one that the reader gets.
+# **Your turn.** A camera takes 20 images a second, and a reader should keep the last 1.5 s of them. Choose the reader's
+# depth. The cell publishes 60 images and checks the first one that the reader gets.
 
 # %% id="your-depth"
 from workbook.lesson import yours
@@ -373,27 +376,27 @@ if depth is not ...:
 yours(first, 31, "1.5 s at 20 images a second are 30 images: numbers 31 to 60.")
 
 # %% [markdown] prediction="age-of-a-message"
-# ### Experiment 2: how old is a message
+# ### Experiment 2: the age of a message
 #
-# The distance sensor publishes every 0.05 s. Handling a message takes this guard 0.2 s. It has a depth of 50, and works
-# for four seconds. How old is the last distance that it handles?
+# The distance sensor publishes every 0.05 s. This guard takes 0.2 s to handle a message. Its queue depth is 50, and it
+# runs for four seconds. How old is the last distance that it handles?
 #
-# - **a** More than a second, and it gets worse.
+# - **a** More than a second, and the delay keeps growing.
 #   when `last_age_s >= 1.0`
-#   ✓ Four messages come in the time that one is handled. The queue grows, and with it the age of the message at its
-#   head.
+#   ✓ While the guard handles one message, four new ones arrive. So the queue keeps growing, and the message at its head
+#   gets older and older.
 # - **b** Less than 0.1 s: messages travel fast.
 #   when `last_age_s < 0.1`
-#   ✗ They do travel fast. But then each one waits in the queue until all that came before it are handled.
-# - **c** About 0.2 s, the time that one takes.
+#   ✗ They do travel fast. But then each one waits in the queue until the guard has handled all earlier messages.
+# - **c** About 0.2 s, the time to handle one message.
 #   when `0.1 <= last_age_s < 1.0`
-#   ✗ 0.2 s is what one callback takes. A message that waits behind ten others waits ten times as long.
+#   ✗ A single callback takes 0.2 s. But a message with ten others ahead of it waits for ten callbacks, which take 2 s.
 
 # %%
 predict("age-of-a-message")
 
 # %% [markdown]
-# `info` contains the time when the message was sent, in nanoseconds.
+# The callback's `info` argument also contains the time when the message was sent, in nanoseconds.
 #
 # **Your turn.** How old is this message when it's handled?
 
@@ -461,36 +464,36 @@ print("depth  1: a distance was", about(fresh_ms, "ms", between=(0.1, 200)))
 print("time from program to program:", about(travel_ms, "ms", between=(0.05, 100)))
 
 # %% [markdown]
-# Travel takes only a small part of a message's age. The rest is time spent in the queue. During each callback, one
-# message leaves the queue and four new ones arrive. So the age grows until the queue is full, up to 50 messages times
-# 0.05 s, or 2.5 s.
+# Only a small part of a message's age is travel time. The rest is time spent in the queue. During each callback, one
+# message leaves the queue and four new ones arrive. So the age grows until the full queue holds 2.5 s of messages (50
+# times 0.05 s).
 #
-# If the robot walks toward the wall at 1 m/s, the distance that the guard handles is then more than two meters too
-# large. With a depth of 1, the guard skips three of every four distances, but the one that it handles is current. The
-# right depth depends on the kind of message:
+# If the robot walks toward the wall at 1 m/s, the guard handles distances that are more than two meters too large. With
+# a depth of 1, the guard skips three out of every four distances, but each one that it handles is current. The right
+# depth depends on the kind of message:
 #
 # | the message | depth | because |
 # |---|---|---|
 # | a state: distance, battery, camera image | small, 1 to 10 | only the newest message is useful |
 # | an event: a button press, a command, a fault | large enough for the longest burst | every message counts |
 #
-# No depth makes a slow callback faster. Lesson 10 shows how to deal with slow callbacks.
+# No depth makes a slow callback faster. Lesson 10 deals with slow callbacks.
 
 # %% [markdown] prediction="wrong-hint"
 # ### Experiment 3: what the type hint does
 #
-# In `on_distance(self, message: Float32)` the hint says what will come. You copy the callback of another node, and its
-# hint says `String`. The subscription still says `Float32`. What will the callback get?
+# In `on_distance(self, message: Float32)`, the hint names the message type. Suppose you copy the callback from another
+# node, in which the hint is `String`. The subscription's type is still `Float32`. What does the callback receive?
 #
-# - **a** Nothing: `create_subscription` raises an error, because the two do not fit.
-#   ✗ `create_subscription` looks at the type that it is given, and at how many arguments the callback takes. It does
-#   not read hints.
+# - **a** Nothing: `create_subscription` raises an error, because the two types differ.
+#   ✗ `create_subscription` checks the message type that you pass and the number of arguments that the callback takes.
+#   It doesn't read hints.
 # - **b** A `String` with the number as its text.
 #   when `got == 'a String with a str'`
-#   ✗ Nothing is converted. The message keeps the type that the subscription has asked for.
-# - **c** A `Float32`, as if the hint were not there.
+#   ✗ rclpy doesn't convert messages. The message has the type that you passed to `create_subscription`.
+# - **c** A `Float32`, as if there were no hint.
 #   when `got == 'a Float32 with a float'`
-#   ✓ The first argument of `create_subscription` decides. Python does not check a hint when the program runs.
+#   ✓ The first argument of `create_subscription` determines the type. Python doesn't check hints at run time.
 
 # %%
 predict("wrong-hint")
@@ -521,9 +524,9 @@ print("the callback got", got)
 reveal("wrong-hint", got=got)
 
 # %% [markdown]
-# The first argument of `create_subscription` determines the type of the message. The type hint is for its readers: for
-# you, your editor, and mypy (lesson 07). If the callback had called `message.data.upper()`, the editor wouldn't have
-# objected. But the program would have ended with `'float' object has no attribute 'upper'`.
+# The first argument of `create_subscription` determines the type of the message. The type hint is for anyone who reads
+# the code: you, your editor, and mypy (lesson 07). If the callback had called `message.data.upper()`, the editor would
+# have shown no error. But the program would have ended with `'float' object has no attribute 'upper'`.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -548,7 +551,7 @@ counter = fresh(Counter)
 
 # %% [markdown]
 # As the error says, a callback takes either one argument, the message, or two, the message and its `info`. (`self`
-# doesn't count.) So accept the message even if you don't use it: `def on_distance(self, message: Float32)`.
+# doesn't count.) So accept the message even if you ignore it: `def on_distance(self, message: Float32)`.
 #
 # **Wrong arguments to `create_subscription`.** The next three calls don't work, either. Which error do you expect from
 # each?
@@ -582,12 +585,11 @@ for label, attempt in attempts.items():
 # %% [markdown]
 # - `on_distance()` *calls* the function right away, without a message. Leave out the parentheses to pass the function
 #   itself.
-# - `qos_profile` is the missing depth: the number of messages that may wait. `10` is a common choice.
-# - `float` is a Python type, but a topic carries messages such as `Float32`. (The rest of the error is about ROS 1.
-#   Ignore it.)
+# - The missing `qos_profile` is the depth: how many messages can wait in the queue. `10` is a common choice.
+# - `float` is a Python type, but a topic carries messages such as `Float32`. (Ignore the rest, which is about ROS 1.)
 #
-# **A subscription with a different type.** The topic name is right, the robot publishes, and the node is spun. Yet the
-# callback never runs.
+# **A subscription with a different type.** The topic name is right, the robot is publishing, and the node is being
+# spun. Yet the callback never runs.
 
 # %% id="other-type"
 from lesson_nodes import joint_position_publisher
@@ -627,7 +629,7 @@ topic_info("/robot/joint_positions")
 # being spun, is the name right, and is the type right? `topic_info` answers the last two. (Lesson 13 adds a fourth, the
 # QoS.)
 #
-# **Your turn.** Let the watcher subscribe with the right type. The cell counts its callbacks, up to 20.
+# **Your turn.** Make the watcher subscribe with the right type. The cell counts how often its callback runs, up to 20.
 
 # %% id="your-type"
 message_type = ...  # TODO: import the class from std_msgs.msg, and put it here
@@ -643,9 +645,9 @@ yours(heard, 20, "topic_info shows the publisher's type.")
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** A callback often handles messages of one topic and publishes to another. The node below is a
+# **Worked example.** A callback often handles messages from one topic and publishes to another. The node below is a
 # brake. It publishes `stop` once when the wall is closer than half a meter, and `go` once when the way is clear again.
-# To avoid repeating itself, it stores the last word that it published in an attribute.
+# To avoid repeating itself, it stores the last published word in an attribute.
 
 # %%
 STOP_BELOW_M = 0.5
@@ -712,7 +714,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb), you write a battery monitor. The
-# judge sends it about fifty readings, good and bad ones, and compares them with the messages that your node publishes.
+# judge sends it about fifty readings, both good and bad, and compares them with the messages that your node publishes.
 
 # %% [markdown]
 # ## Check yourself
@@ -724,7 +726,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # ✗ DDS connects nodes in its own threads. You saw that the black box received all five messages.
 #
 # </details>
-# <details><summary>b) Publishing works, and callbacks run, only more slowly</summary>
+# <details><summary>b) Publishing works, and callbacks run, just more slowly</summary>
 #
 # ✗ Callbacks run in your thread, inside `spin`. While that thread sleeps, it can't run any.
 #
@@ -747,7 +749,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # ✗ It's the other way around: the newest message always gets in.
 #
 # </details>
-# <details><summary>c) The callback gets all 25, only late</summary>
+# <details><summary>c) The callback gets all 25, just late</summary>
 #
 # ✗ That would take a depth of 25 or more.
 #
@@ -790,7 +792,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # </details>
 # <details><summary>c) From the clock: <code>time.time()</code> in the callback's first line</summary>
 #
-# ✗ That's the time when the message is handled. It may have waited in the queue for seconds.
+# ✗ That's the time when the message is handled. By then, the message may have waited in the queue for seconds.
 #
 # </details>
 
@@ -807,15 +809,15 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # you choose? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # The camera sends 30 images a second, but the node can handle only 12, so the camera's queue is always full. Each image
 # that the callback gets is the oldest of the last ten, so it's a third of a second old. With a depth of 1, the image is
 # as fresh as possible. The node then skips images, but only the newest one is useful.
 #
-# A button press is an event, so it must not be lost. A depth of 10 is enough, because the button has its own queue,
-# which images can't fill. But the callbacks run one after another, so the button's callback may run 80 ms late or more.
-# No depth changes that. For the battery, a depth of 1 is enough.
+# A button press is an event, so it must not be lost. A depth of 10 is enough: the button has its own queue, so images
+# can't push out its messages. But the callbacks run one after another, so the button's callback may run 80 ms late, or
+# even later. No depth changes that. For the battery, a depth of 1 is enough.
 #
 # In a good answer, the button's callback runs in a different thread from the camera's (lesson 10), or in a separate
 # node. The answer also warns that an emergency stop shouldn't depend on a topic alone.
@@ -838,10 +840,10 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # - After `create_subscription(type, topic, callback, depth)`, rclpy calls the callback once for each message, in the
 #   order of arrival.
 # - Publishing and receiving don't need `spin`, but callbacks do. Without it, they don't run, and you get no error.
-# - Up to `depth` messages wait in the queue, and each further one replaces the oldest. Choose a small depth for states
-#   and a large one for events.
-# - The type passed to `create_subscription` counts, not the type hint. If the type or the topic name doesn't match the
-#   publisher's, no message arrives. `topic_info` shows both.
+# - Up to `depth` messages wait in the queue. When it's full, each new message replaces the oldest. Choose a small depth
+#   for states and a large one for events.
+# - What counts is the type that you pass to `create_subscription`, not the type hint. If the type or the topic name
+#   doesn't match the publisher's, no message arrives. `topic_info` shows both.
 # - Pass the callback without parentheses. The node stores the subscription, so you don't have to.
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)

@@ -11,8 +11,8 @@
 #   - make a node repeat its work at a fixed rate
 #   - convert a frequency to a period
 #   - use several rates in one node
-#   - predict how a slow callback affects them
-# - **Left out:** how `spin` works (lesson 06), and how to do slow work properly (lesson 10)
+#   - predict how a slow callback affects a node's timers
+# - **Not covered:** how `spin` works (lesson 06), and how to do slow work properly (lesson 10)
 
 # %% [markdown]
 # Watch the robot. Both arms are meant to make the same movement. A timer that ticks every 0.05 s moves the arm marked
@@ -27,8 +27,9 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# Both timers belong to the same node. Run the next cell and move its slider, which sets the period of **R**. Each move
-# restarts the node. How short must the period be before both arms look the same to you?
+# Both timers belong to the same node. Run the next cell and move its slider, which sets the period of **R**. Each time
+# you move the slider, the node restarts. How short does the period have to be before you no longer see a difference
+# between the arms?
 #
 # [the same without helpers: start, init, fresh, run, record]
 
@@ -57,23 +58,26 @@ await knob(
 # rclpy.spin(node)
 # ```
 #
-# `create_timer(0.1, read_tilt)` asks the node to call `read_tilt` every 0.1 s, and `spin` lets the node do so.
+# `create_timer(0.1, read_tilt)` creates a timer with a period of 0.1 s. While `spin` runs, it calls `read_tilt` each
+# time the timer is due.
 #
-# Fifty times 0.1 s would be 5.0 s. How long does each of them take?
+# Fifty periods of 0.1 s add up to 5.0 s. How long does each program take?
 #
-# - **a** Both take 5.0 s: the period is 0.1 s in both.
+# - **a** Both take 5.0 s, because the period is 0.1 s in both.
 #   when `loop_s < 5.5 and timer_s < 5.5`
-#   ✗ It would be so if reading took no time. The loop sleeps 0.1 s on top of each reading, so a round takes 0.11 s.
-# - **b** The loop takes at least 5.5 s, the timer about 5.0 s.
+#   ✗ They would if reading took no time. But the loop sleeps for 0.1 s after each reading, so each iteration takes
+#   0.11 s.
+# - **b** The loop takes at least 5.5 s, and the timer takes about 5.0 s.
 #   when `loop_s >= 5.5 and timer_s < loop_s`
-#   ✓ The loop adds the 10 ms of reading to each sleep: 50 times 0.11 s. The timer reads while its period is running,
-#   so the reading costs nothing extra.
-# - **c** Both take at least 5.5 s: the reading takes its time in either case.
+#   ✓ The loop adds 10 ms of reading to each sleep: 50 times 0.11 s. The timer's period keeps running during the
+#   reading, so the reading adds no time.
+# - **c** Both take at least 5.5 s, because reading takes time in both.
 #   when `loop_s >= 5.5 and timer_s >= loop_s`
-#   ✗ Reading takes 10 ms in both. But the timer waits only for what is left of its period, which is 90 ms.
-# - **d** The loop takes 5.0 s, the timer longer, because ROS has to do more.
+#   ✗ Reading takes 10 ms in both. But after a reading, the timer waits only for the rest of its period, which is 90 ms.
+# - **d** The loop takes 5.0 s, and the timer takes longer, because ROS has more to do.
 #   when `loop_s < 5.5 and timer_s >= 5.5`
-#   ✗ ROS does do more for each tick, but that takes well under a millisecond, and the period is running meanwhile.
+#   ✗ ROS does have more to do for each tick. But that takes well under a millisecond, and the period keeps running
+#   during that time.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -149,7 +153,7 @@ reveal("loop-and-timer", loop_s=loop_s, timer_s=timer_s)
 # %% [markdown]
 # ## Look inside
 #
-# The figure shows the first readings. The small marks above and below each line are the schedule: one reading every
+# The figure shows the first readings. The small marks above and below each line show the schedule: one reading every
 # 0.1 s.
 
 # %%
@@ -179,7 +183,7 @@ show(
 # done, the timer waits only for the rest of the current period. So one late tick doesn't delay the next one.
 #
 # **Your turn.** A loop can keep a schedule, too. It must take reading number `n` exactly `n` periods after the start.
-# If `passed_s` seconds have already passed since the start, how long must the loop sleep?
+# If `passed_s` seconds have already passed since the start, how long must the loop sleep before that reading?
 
 # %% id="your-sleep"
 from workbook.lesson import yours
@@ -230,7 +234,7 @@ print("last reading of the loop: ", about(loop_ms, "ms late", between=(400, 2000
 print("last reading of the timer:", about(timer_ms, "ms late", between=(-200, 200)))
 
 # %% [markdown]
-# No timer is perfect. The operating system also runs other programs, so a tick can come a little late, and then the next
+# No timer is perfect. The operating system also runs other programs, so a tick can be a little late, and then the next
 # interval is a little shorter. This is called **jitter**. Unlike drift, it doesn't add up.
 
 # %%
@@ -255,9 +259,9 @@ print("longest: ", about(longest_ms, "ms", between=(100, 300), digits=3))
 # %% [markdown]
 # ### A myth, tested
 #
-# You may read that you must store a timer in an attribute, as in `self.timer = self.create_timer(...)`, because the
-# garbage collector would remove it otherwise. The node above stored nothing, and its timer worked. The next cell also
-# runs the garbage collector.
+# You may read that you must store a timer in an attribute, as in `self.timer = self.create_timer(...)`, because
+# otherwise, the garbage collector would remove it. The node above stored nothing, and its timer worked. The next cell
+# also runs the garbage collector.
 
 # %% id="nothing-kept"
 import gc
@@ -287,26 +291,26 @@ print("ticks after the garbage collection:", forgetful.ticks)
 # %% [markdown]
 # ## Change it
 #
-# At one tick per second, counting sixty ticks takes a minute. **Simulated time** is faster: a ROS node can take the time
-# from the topic `/clock` instead of the computer's clock. `record` starts a program in this mode and publishes a `/clock`
-# that runs ten to twenty times as fast. So a minute passes for the node within a few seconds. We call this time **robot
-# time**.
+# At one tick per second, counting sixty ticks takes a minute. **Simulated time** makes this faster: a ROS node can read
+# the time from the topic `/clock` instead of the computer's clock. `record` starts a program in this mode and publishes
+# a `/clock` that runs ten to twenty times as fast as the computer's clock. So a minute passes for the node within a few
+# seconds. We call the time on `/clock` **robot time**.
 
 # %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
 #
 # A robot should beep at 0.5 Hz, which is 30 times a minute. A programmer writes `create_timer(0.5, self.beep)`. How
-# many beeps will we count in one minute of robot time?
+# many beeps do we count in one minute of robot time?
 #
-# - **a** 30, as ordered
+# - **a** 30, as intended
 #   when `beeps < 45`
-#   ✗ 30 a minute would be one beep every 2 s. The timer was given 0.5, and it takes that as seconds, not as hertz.
+#   ✗ 30 beeps a minute would be one every 2 s. But `create_timer` interprets 0.5 as seconds, not as hertz.
 # - **b** 60
 #   when `45 <= beeps < 90`
-#   ✗ 60 a minute would be one beep a second, a period of 1.0 s. Nothing here says 1.0.
+#   ✗ 60 beeps a minute would be one every 1.0 s. But the period is 0.5 s.
 # - **c** 120
 #   when `beeps >= 90`
-#   ✓ The timer beeps every 0.5 s, twice a second. That is 2 Hz, four times too often.
+#   ✓ The timer beeps every 0.5 s, which is twice a second. So its frequency is 2 Hz, four times the intended one.
 
 # %%
 predict("half-a-hertz")
@@ -323,11 +327,11 @@ print(f"a period of {period_s} s: {len(arrivals(minute, BEEP))} beeps in a minut
 reveal("half-a-hertz", beeps=len(arrivals(minute, BEEP)))
 
 # %% [markdown]
-# `create_timer` takes a **period**, the number of seconds from one tick to the next. A value in hertz is a **frequency**,
-# the number of ticks per second. Each is 1 divided by the other: 100 Hz is a period of 0.01 s. The lower the frequency,
-# the longer the period.
+# `create_timer` takes a **period**, the number of seconds from one tick to the next. A value in hertz is a
+# **frequency**, the number of ticks per second. Each is 1 divided by the other: 100 Hz corresponds to a period of 0.01
+# s. The lower the frequency, the longer the period.
 #
-# **Your turn.** Write the period for 0.5 Hz. The cell counts the beeps of another minute.
+# **Your turn.** Write the period for 0.5 Hz. The cell then counts the beeps in another minute.
 
 # %% id="your-period"
 period_s = ...  # TODO: seconds from one beep to the next
@@ -343,21 +347,23 @@ yours(beeps, 30, "Divide 1 by the frequency.")
 # %% [markdown] prediction="two-timers-due"
 # ### Experiment 2: two timers in one node
 #
-# Now the node blinks at 1 Hz and beeps at 0.5 Hz. Every 2 s both timers are due at the same moment. The node has one
-# thread, so it can run only one callback at a time. What will we count in a minute?
+# Now the node blinks at 1 Hz and beeps at 0.5 Hz. Every 2 s, both timers are due at the same moment. The node has one
+# thread, so it can run only one callback at a time. What do we count in a minute?
 #
-# - **a** 60 blinks and 30 beeps: one callback waits for the other, and none is lost.
+# - **a** 60 blinks and 30 beeps: one callback waits for the other, but both run.
 #   when `blinks > 50 and 20 < beeps < 40`
-#   ✓ A timer that is due stays due until its callback has run. The second callback runs right after the first.
-# - **b** 30 blinks and 30 beeps: when both are due, the blink is lost.
+#   ✓ A timer that is due stays due until its callback has run. So the second callback runs right after the first one.
+# - **b** 30 blinks and 30 beeps: when both are due, the blink is skipped.
 #   when `20 < blinks < 40 and 20 < beeps < 40`
-#   ✗ A tick that has to wait a moment is not lost. The executor calls the second callback as soon as the first returns.
-# - **c** 60 blinks and no beep: when both are due, the beep is lost, and it is never due alone.
+#   ✗ A short wait doesn't make a timer skip a tick. The executor runs the second callback as soon as the first one
+#   returns.
+# - **c** 60 blinks and no beeps: the beep is never due alone, so it's always skipped.
 #   when `blinks > 50 and beeps < 10`
-#   ✗ The timer that was created first does not push out the other one. Both are called, one after the other.
-# - **d** 45 of each: the two timers take turns.
+#   ✗ The timer that was created first doesn't displace the other one. The executor runs both callbacks, one after the
+#   other.
+# - **d** 45 of each, because the two timers take turns.
 #   when `40 <= blinks <= 50 and 40 <= beeps <= 50`
-#   ✗ The callbacks take turns only when both are due. How often each one is due is up to its own period.
+#   ✗ The callbacks take turns only when both are due. Each timer's own period determines how often it's due.
 
 # %%
 predict("two-timers-due")
@@ -395,34 +401,34 @@ show(
 )
 
 # %% [markdown]
-# A timer doesn't block the thread between two ticks, because it only determines when its callback is due. The executor
-# sleeps until the next timer is due, calls that timer's callback, and sleeps again. When two timers are due at the same
-# time, one callback runs after the other. As long as both callbacks are short, you don't notice the delay.
+# Between two ticks, a timer doesn't block the thread. It only determines when its callback is due. The executor sleeps
+# until the next timer is due, calls that timer's callback, and sleeps again. When two timers are due at the same time,
+# one callback runs after the other. As long as both callbacks are short, you don't notice the delay.
 
 # %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a slow callback
 #
-# What if one callback is slow? The node blinks every 0.2 s. Every 2 s, it also beeps, and each beep takes 1.1 s. During
-# a beep, five blinks are due. What happens to them?
+# What if one callback is slow? The node blinks every 0.2 s. Every 2 s, it also beeps, which takes 1.1 s. During a beep,
+# five blinks are due. What happens to them?
 #
-# - **a** They all come in a burst when the beep is over.
+# - **a** They all come in a burst after the beep.
 #   when `blinks_per_beep >= 9 and shortest_gap_s < 0.02`
-#   ✗ A timer does not count what it missed, so there is nothing to catch up on.
-# - **b** They come on time: a timer can interrupt the beep.
+#   ✗ A timer doesn't count the ticks that it missed, so it has nothing to catch up on.
+# - **b** They come on schedule, because a timer can interrupt the beep.
 #   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s < 0.5`
-#   ✗ The executor calls one callback after the other in this thread. It cannot interrupt one that is running.
-# - **c** They all come, but from now on each of them is late.
-#   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s >= 0.5`
-#   ✗ That is what a loop that sleeps would do. A timer returns to its plan.
-# - **d** One comes late, the others never come.
+#   ✗ In this thread, the executor runs one callback after the other. It can't interrupt a running callback.
+# - **c** They all come, but each one from then on is late. when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and
+#   longest_gap_s >= 0.5`
+#   ✗ A loop that sleeps would behave like this. A timer returns to its schedule.
+# - **d** One is late, and the others are dropped.
 #   when `blinks_per_beep < 9`
-#   ✓ When the beep is over, the blink timer is due, and it ticks once. The ticks that it missed are dropped.
+#   ✓ After the beep, the blink timer is due, so it ticks once. The timer drops the ticks that it missed.
 
 # %%
 predict("the-long-beep")
 
 # %% [markdown]
-# This recording runs on the wall clock, for eight real seconds, because the beep takes real time.
+# This recording uses the wall clock and takes eight seconds, because the beep takes real time.
 
 # %%
 from statistics import median
@@ -459,11 +465,11 @@ print("blinks that came, as a rule:         ", median(came))
 print("shortest time between two blinks:    ", closest)
 
 # %% [markdown]
-# A red frame (✗) marks each gap between blinks that's longer than one and a half periods. The small marks are the
+# A red frame (✗) marks each gap between blinks that's longer than one and a half periods. The small marks show the
 # schedule, and a mark without a blink is a missed tick.
 #
-# This is the drawing from lesson 04, now with two timers. Unlike a subscription, a timer has no queue, so at most one
-# of its ticks can wait.
+# The next drawing shows how the executor handles the two timers. (Lesson 04 explains how to read it.) Unlike a
+# subscription, a timer has no queue, so at most one of its ticks can wait.
 
 # %% id="machine"
 from workbook.lesson import record_machine, show_machine
@@ -476,17 +482,20 @@ show_machine(
 )
 
 # %% [markdown]
-# During a beep, the frame around the wait set is dashed because the executor isn't waiting on it: its only thread is
-# busy with `beep`. One blink is waiting, and there's no room for the following ticks.
+# The **wait set** lists what the executor waits for, such as the two timers. During a beep, the wait set's frame is
+# dashed, because the executor isn't waiting: its only thread is busy with `beep`. One blink is waiting, and there's no
+# room for the following ticks.
 #
 # Five blinks were due during the beep, but four of them never came. After the beep, the blink timer is overdue, so its
 # callback runs once. Then the timer returns to its schedule. The missed ticks are **dropped**.
 #
 # This design suits a robot: after a busy period, it needs the *current* tilt rather than five readings in a row.
 #
-# Still, this node did nothing else for 1.1 s, so keep your callbacks short. Lesson 10 shows how to handle long work.
+# Still, the node did nothing else during the 1.1 s of each beep, so keep your callbacks short. Lesson 10 shows how to
+# handle long work.
 #
-# **Your turn.** Find the longest beep, to a tenth of a second, at which no blink is dropped. One blink may come late.
+# **Your turn.** Find the longest beep, to a tenth of a second, that doesn't cause a dropped blink. One blink may be
+# late.
 
 # %% id="your-beep"
 beep_takes_s = ...  # TODO: seconds, with one decimal
@@ -524,9 +533,9 @@ eager = fresh(Eager)
 await run(eager, seconds=1)
 
 # %% [markdown]
-# You see one blink, and then an error that mentions `NoneType`. `self.blink()` *calls* the method while the node is being
-# created. The method returns `None`, so the timer's callback is `None`. rclpy raises the error at the first tick rather
-# than in the line with the mistake. Without the parentheses, you pass the method itself:
+# You see one blink, followed by an error that mentions `NoneType`. `self.blink()` *calls* the method while the node is
+# being created. The method returns `None`, so the timer's callback is `None`. rclpy raises the error at the first tick
+# rather than on the line with the mistake. Without the parentheses, you pass the method itself:
 
 
 # %%
@@ -547,7 +556,7 @@ await run(patient, seconds=5, until=lambda: patient.blinks == 3)
 print("blinks:", patient.blinks)
 
 # %% [markdown]
-# **A node that isn't spun.** This node has a timer, and all names are correct, but the callback never runs.
+# **A node that isn't spun.** This node has a timer, and no name is misspelled, but the callback never runs.
 
 # %%
 silent = fresh(Patient)
@@ -659,13 +668,14 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # </details>
 # <details><summary>c) At most 500</summary>
 #
-# ✓ Each iteration takes at least 0.12 s, and 60 / 0.12 is 500. `sleep` may take a little longer, but never less.
+# ✓ Each iteration takes at least 0.12 s, and 60 / 0.12 is 500. `sleep(0.1)` may take a little more than 0.1 s, but
+# never less.
 #
 # </details>
 #
 # **3. A timer ticks every 0.1 s. Once, its callback takes 0.35 s. What happens next?**
 #
-# <details><summary>a) One tick comes late, and the following ones are on schedule again</summary>
+# <details><summary>a) One tick is late, and the following ones are on schedule again</summary>
 #
 # ✓ The schedule hasn't moved. The ticks in between are dropped.
 #
@@ -688,7 +698,7 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # ✗ In this lesson, you ran the collector yourself, and the timer kept ticking.
 #
 # </details>
-# <details><summary>b) It ticks as long as the node lives</summary>
+# <details><summary>b) It ticks as long as the node exists</summary>
 #
 # ✓ The node stores a reference to it. The node still has to be spun, of course.
 #
@@ -711,11 +721,12 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # what would you change? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# The distance timer is due every 50 ms. While an image is being saved, the first distance tick comes late, and up to
-# three more are dropped. So once a second, there's a gap of up to a quarter of a second: the saving time plus one
-# period. No burst follows the gap. Whether it matters depends on the robot's speed: at 1 m/s, the gap amounts to 25 cm.
+# The distance timer is due every 50 ms. While an image is being saved, the first distance tick is late, and up to three
+# more are dropped. So once a second, there's a gap of up to a quarter of a second: the saving time plus one period. No
+# burst follows the gap. Whether the gap matters depends on the robot's speed: at 1 m/s, the robot travels 25 cm in that
+# time.
 #
 # There are two solutions. You can shorten the callback by passing the image to a thread or another process that saves it.
 # Or you can run the two callbacks in different threads, with another executor and callback group (lesson 10). A shorter
@@ -737,7 +748,7 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # ## Take away
 #
 # - `create_timer(period, callback)`: the period is in seconds. The frequency, in hertz, is 1 divided by the period.
-# - A timer follows a schedule, so it has jitter but no drift. A loop that sleeps drifts.
+# - A timer follows a schedule, so it has jitter but no drift. A loop that calls `sleep` does drift.
 # - A node can have many timers. Their callbacks share one thread and run one after another.
 # - A slow callback delays the others. Missed ticks are dropped; they don't come later in a burst.
 # - Pass the callback without parentheses, and spin the node.

@@ -12,7 +12,7 @@
 #   - spin a node by hand
 #   - choose a timeout
 #   - recognize five common spinning mistakes
-# - **Left out:** several threads that share the work (lesson 10), services (lesson 12)
+# - **Not covered:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
 # Timers move both arms of this robot. The next cell does nothing for two seconds, and then calls `spin_once` sixty
@@ -65,14 +65,14 @@ print("in sixty calls: moved by", moved_rad)
 #
 # - **a** 1.
 #   when `heard == 1`
-#   ✓ One call of `spin_once` runs one callback, and each word needs a call of its own. Four words still wait.
-# - **b** 5: one spin handles all that has come.
+#   ✓ One call to `spin_once` runs one callback, and each word needs its own call. Four words are still waiting.
+# - **b** 5: one spin handles everything that has arrived.
 #   when `heard == 5`
-#   ✗ `spin_once` runs one callback and returns. Each word that waits needs a call of its own.
+#   ✗ `spin_once` runs one callback and returns. Each waiting word needs its own call.
 # - **c** As many as fit into half a second.
 #   when `1 < heard < 5`
-#   ✗ The timeout is not working time. It is the longest time that the call waits when nothing is ready.
-# - **d** 0: the callback ran by itself when each word came, so nothing is left to do.
+#   ✗ The timeout doesn't limit how long callbacks run. It limits how long the call waits when nothing is ready.
+# - **d** 0: the callback ran by itself as each word arrived, so nothing is left to do.
 #   when `heard == 0`
 #   ✗ Words arrive by themselves, but the callback runs in your thread, and only while that thread spins.
 
@@ -84,11 +84,11 @@ predict("five-words")
 # %% [markdown]
 # ## Run it
 #
-# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). Two timers make its
-# heart beat and make it look around, and it repeats each word that it receives. It records each action in a list,
-# `robot.done`. For now, both timers are so slow that only the words matter.
+# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). One timer makes its
+# heart beat, and another makes it look around. The robot also repeats each word that it receives. Each callback adds an
+# entry to a list, `robot.done`. For now, both timers are so slow that only the words matter.
 #
-# First, we publish words without spinning the robot at all.
+# First, we publish words without spinning the robot.
 
 # %% id="forgotten-spin"
 from rclpy.node import Node
@@ -153,18 +153,18 @@ yours(
 # That's what a **forgotten spin** looks like.
 #
 # An arriving message doesn't call your callback. A DDS thread only puts the message into the subscription's queue. A
-# timer doesn't call your callback, either: it only determines when the callback is due. The callback has to wait for
-# the **executor**. `rclpy.spin_once(node)` adds the node to an executor for one iteration:
+# timer doesn't call your callback, either: it only determines when the callback is due. Only the **executor** runs
+# callbacks. `rclpy.spin_once(node)` adds the node to an executor for one iteration:
 #
-# 1. Is anything ready, such as a message in a queue or a timer that's due? If not, the executor waits.
-# 2. The executor takes **one** ready message or timer and runs its callback, in the thread that called `spin_once`.
+# 1. The executor checks whether anything is ready: a message in a queue, or a timer that's due. If not, it waits.
+# 2. It takes **one** ready message or timer and runs its callback, in the thread that called `spin_once`.
 # 3. `spin_once` returns `None`, whether or not a callback ran.
 #
 # `rclpy.spin(node)` repeats these three steps. So spinning happens in *your* thread, not in the background.
 #
 # Next, the timers run at normal speed: the heart beats every 1.0 s, and the robot looks around every 2.1 s. We publish
 # three words, reset both timers, and wait 2.2 s without spinning. By then, both timers are due and three words are
-# waiting. We call `spin_once` eight times, and record which callback ran in each call and how long the call took.
+# waiting. We call `spin_once` eight times, and record which callback each call ran and how long it took.
 
 # %%
 from workbook.lesson import show_machine, watch_machine
@@ -199,17 +199,17 @@ show_machine(
 )
 
 # %% [markdown]
-# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in the order in which they arrived. From call 6
-# on, nothing is ready, so `spin_once` *waits* and returns soon after the next timer is due.
+# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in order of arrival. From call 6 on, nothing is
+# ready, so `spin_once` *waits* and returns soon after the next timer is due.
 #
-# In this version of rclpy, timers come before messages, but don't rely on that order. The heartbeat was due at 1.0 s
+# In this rclpy version, timers come before messages, but don't rely on that order. The heartbeat was due at 1.0 s
 # *and* at 2.0 s, but its callback ran only once. [Lesson 05](05_timers.ipynb) explains why.
 #
 # | executor | how it runs callbacks |
 # |---|---|
 # | `SingleThreadedExecutor` | one thread, one callback at a time; `rclpy.spin` uses it |
 # | `MultiThreadedExecutor` | several threads (lesson 10) |
-# | `EventsExecutor` (`rclpy.experimental`) | experimental: in this build, its `spin` ran no callback at all, so don't use it here |
+# | `EventsExecutor` (`rclpy.experimental`) | in this build, its `spin` ran no callback at all, so don't use it here |
 
 # %% [markdown]
 # ## Change it
@@ -253,16 +253,16 @@ _ = try_out(ways_to_spin.with_timeout, 0.5)
 # %% [markdown] prediction="no-timeout"
 # ### Experiment 1: no timeout
 #
-# `node` has no timer and no subscription. What does `rclpy.spin_once(node)` do, without a `timeout_sec`?
+# `node` has no timer and no subscription. What does `rclpy.spin_once(node)` do without a `timeout_sec`?
 #
-# - **a** It sees that nothing is ready, and comes back at once.
-#   ✗ That is what it does with `timeout_sec=0`. Without the argument it waits for something to do.
-# - **b** It does not come back.
+# - **a** It finds that nothing is ready, and returns right away.
+#   ✗ With `timeout_sec=0`, it would do that. Without the argument, it waits until something is ready.
+# - **b** It never returns.
 #   when `not came_back`
-#   ✓ Without a timeout it waits until something is ready. This node has nothing that ever will be.
-# - **c** It waits for a second, the default timeout, and comes back.
+#   ✓ Without a timeout, it waits until something is ready. In this node, nothing can ever become ready.
+# - **c** It waits for a second, the default timeout, and then returns.
 #   when `came_back`
-#   ✗ There is no default of one second. `timeout_sec=None` is the default, and means: wait without a limit.
+#   ✗ There's no default of one second. The default is `timeout_sec=None`, which means: wait without a limit.
 
 # %%
 predict("no-timeout")
@@ -286,15 +286,15 @@ reveal("no-timeout", came_back="after" in seen.log)
 # loops, with timeouts of 0, 0.01, and 0.1 s, each spin a node until its 10 Hz timer has ticked twenty times. What do
 # you expect from the first loop?
 #
-# - **a** It takes as long as the others, and keeps a processor busy all the time.
+# - **a** It takes as long as the others, and it keeps a processor busy all the time.
 #   when `soonest_s > 1.9 and times_as_many_calls > 5`
-#   ✓ The ticks come when they are due, so it takes as long as the others. In between, the loop never sleeps.
-# - **b** It takes as long as the others, and hardly more work: polling costs nothing.
+#   ✓ Each loop needs twenty ticks, and the timer sets their pace. Between two ticks, the first loop never sleeps.
+# - **b** It takes as long as the others, and it uses hardly more processor time, because polling costs nothing.
 #   when `soonest_s > 1.9 and times_as_many_calls <= 5`
-#   ✗ Each call asks the middleware what is ready. One call is cheap, many thousands a second are not.
-# - **c** It has its twenty ticks before the others, because it polls more often.
+#   ✗ Each call asks the middleware which callbacks are ready. One call is cheap, but thousands per second aren't.
+# - **c** It reaches twenty ticks before the others, because it polls more often.
 #   when `soonest_s <= 1.9`
-#   ✗ The timer decides when a tick is due. Polling more often does not make it due earlier.
+#   ✗ The timer decides when a tick is due. Polling more often doesn't make a tick due earlier.
 
 # %%
 predict("timeout-zero")
@@ -345,14 +345,15 @@ show(
 )
 
 # %% [markdown]
-# Such a loop is called a **busy loop**. It keeps a processor busy, and on a robot, it drains the battery. A longer
-# timeout doesn't delay anything, because the wait ends as soon as a callback becomes ready. So a timeout isn't a period:
-# it's the longest time that the call may wait when nothing happens.
+# A loop that only polls is called a **busy loop**. It keeps a processor busy, and on a robot, it drains the battery. A
+# longer timeout doesn't delay anything, because the wait ends as soon as a callback becomes ready. So a timeout isn't a
+# period: it's the longest time that the call may wait when nothing happens.
 
 # %% [markdown] prediction="after-spin"
-# ### Experiment 3: what comes after `spin`
+# ### Experiment 3: the code after `spin`
 #
-# A robot makes one round and must then park its arm. When the round is over, one of the node's timers calls this:
+# A robot patrols its route once and must then park its arm. When the patrol is over, one of the node's timers calls
+# this function:
 #
 # ```python
 # def finish() -> None:
@@ -369,18 +370,18 @@ show(
 #
 # Does the arm get parked?
 #
-# - **a** Yes, but too early: `spin` starts the node in the background, and the program goes on.
+# - **a** Yes, but too early: `spin` starts the node in the background, and the program continues.
 #   when `0 <= parked_at < finished_at`
-#   ✗ `spin` runs the callbacks in this thread. The next line has to wait until `spin` is over.
+#   ✗ `spin` runs the callbacks in this thread. The next line has to wait until `spin` returns.
 # - **b** No: `spin` raises an exception, because the context is shut down.
 #   when `parked_at < 0 and ended_by_itself`
-#   ✗ `spin` raises one if the shutdown comes while it waits. A callback runs between two waits.
+#   ✗ `spin` raises one if the shutdown happens during a wait. Here, it happens in a callback, between two waits.
 # - **c** Yes, when the round is over: `spin` returns.
 #   when `0 <= finished_at < parked_at`
-#   ✓ After each callback, `spin` asks whether the context is still up. It is not, so `spin` returns.
+#   ✓ After each callback, `spin` checks whether the context is still valid. Now it isn't, so `spin` returns.
 # - **d** No: `spin` never returns, so the program hangs.
 #   when `parked_at < 0 and not ended_by_itself`
-#   ✗ `spin` works only as long as the context is up. It asks again after each callback.
+#   ✗ `spin` continues only as long as the context is valid, and checks that after each callback.
 
 # %%
 predict("after-spin")
@@ -402,9 +403,9 @@ reveal(
 #     executor.spin_once()
 # ```
 #
-# Ctrl-C is a different case. As you know from [lesson 01](01_the_context.ipynb), it makes `spin` raise
-# `KeyboardInterrupt`. So the line after `spin` is skipped, and the code that must run at the end belongs in `finally`.
-# The next cell runs the program first without `finally`, and then with it:
+# Ctrl-C is different, because it makes `spin` raise `KeyboardInterrupt` ([lesson 01](01_the_context.ipynb)). The line
+# after `spin` is skipped, so code that must run at the end belongs in `finally`. The next cell runs the program first
+# without `finally`, and then with it:
 
 # %% id="after-spin"
 _ = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
@@ -414,7 +415,7 @@ _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Spinning inside a callback.** A planner needs a map, and waits for it in a callback. The map arrives 0.3 s later, in
+# **Spinning inside a callback.** A planner needs a map and waits for it in a callback. The map arrives 0.3 s later, in
 # another callback of the same node.
 
 # %% id="spin-in-callback"
@@ -425,15 +426,15 @@ _ = try_out(ways_to_spin.wait_in_callback)
 # node until the future has its result. But this node runs only one callback at a time. While `plan` is running, the
 # callback that delivers the map can't run. Without the timeout, this program would hang silently.
 #
-# The fix is not to wait. Instead, register a function that runs *when* the map arrives, and return:
+# The fix: don't wait. Register a function that runs *when* the map arrives, and then return from the callback:
 
 # %%
 _ = try_out(ways_to_spin.go_on_later)
 
 # %% [markdown]
-# Outside callbacks, `spin_until_future_complete` is a good tool, as in the last lines of `go_on_later`.
+# Outside callbacks, `spin_until_future_complete` is useful: see the last lines of `go_on_later`.
 #
-# **Your turn.** Write the function that a future calls when the map arrives. It gets the future as its argument, and
+# **Your turn.** Write the function that a future calls when the map arrives. It gets the future as its argument and
 # appends the map to `plans`.
 
 # %% id="your-done-callback"
@@ -467,8 +468,8 @@ _ = try_out(ways_to_spin.two_spins)
 
 # %% [markdown]
 # `generator already executing` means that two threads are using the same executor. If you don't pass an executor,
-# `rclpy.spin` uses the **global executor**, which threads can't share. The second thread ends with this error, so its
-# node is no longer spun.
+# `rclpy.spin` uses the **global executor**, which threads can't share. The second thread ends with this error, so
+# nothing spins its node.
 #
 # One executor can spin many nodes, so one thread is enough:
 
@@ -487,20 +488,20 @@ print("first:", left_behind.log.splitlines()[0])
 print("then:", "a crash" if left_behind.signal else f"exit code {left_behind.exit}")
 
 # %% [markdown]
-# The program finishes its work, and then it *aborts*: when the program exits, Python stops the thread in the middle of
-# C++ code. You see `terminate called without an active exception` or a different error. A supervisor such as systemd
-# logs a crash each time the program stops.
+# The program finishes its work, and then it *aborts*: at exit, Python stops the thread in the middle of C++ code. You
+# see `terminate called without an active exception` or a different error. A supervisor such as systemd logs a crash
+# each time the program stops.
 #
 # Code that starts a thread must also end it. First, shut down the executor, so that `spin` returns. Then wait for the
-# thread.
+# thread. (On a busy machine, rclpy may print a harmless `AttributeError`.)
 
-# %%
+# %% tags=["nbval-ignore-output"]
 _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
-# **A timer that is always ready.** The timer is due every 10 ms, but its callback takes 20 ms. Five messages are
-# waiting. We spin the node for two seconds, twice. The first time, each call gets all of the remaining time as its
-# timeout; the second time, it gets 50 ms.
+# **A timer that is always ready.** A timer is due every 10 ms, but its callback takes 20 ms. Five messages are waiting.
+# We spin the node for two seconds, twice. In the first run, each call may wait for all the time that remains; in the
+# second, for at most 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -509,10 +510,10 @@ print("\ntimeout_sec=0.05")
 _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 
 # %% [markdown]
-# When several callbacks are ready, the executor normally runs all of them, one per call, before it checks again. But if
-# the timeout *differs* from the previous call's, the executor starts over with the first timer. With `left` as the
-# timeout, this happens in every call, so the messages are never handled. So use the same timeout in each iteration. (A
-# timer whose callback takes longer than its period is a fault in itself: see lesson 10.)
+# When several callbacks are ready, the executor normally runs all of them, one per call, before it looks for newly
+# ready ones. But if the timeout *differs* from the previous call's, the executor starts over with the first timer. With
+# `left` as the timeout, this happens in every call, so the messages are never handled. Use the same timeout in each
+# iteration. (A timer whose callback takes longer than its period is a bug in its own right: see lesson 10.)
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -543,8 +544,7 @@ wait_until(robot, lambda: robot.done, 2.0)
 print("after two words:", robot.done)
 
 # %% [markdown]
-# The function returned after the first word and left the second one in the queue, because the condition asked for just
-# one word.
+# The function returned after the first word, because one word met the condition. The second word is still in the queue.
 #
 # **Fill in the blank.** Now wait for all three words.
 
@@ -563,8 +563,8 @@ yours(
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/06_spinning.ipynb), you write a function that spins a node for a given
-# number of seconds and then returns. The judge runs it with several robots. One has timers and slow callbacks, and
-# receives a burst of words; another is quiet.
+# number of seconds and then returns. The judge runs it with several robots. One has timers and slow callbacks, and it
+# receives a burst of words. Another is quiet.
 
 # %% [markdown]
 # ## Check yourself
@@ -601,7 +601,7 @@ yours(
 # </details>
 # <details><summary>c) Never: the call was waiting for something else</summary>
 #
-# ✗ The call waits for whatever comes first: a message, a timer, or the end of the timeout.
+# ✗ The call waits for whichever comes first: a message, a timer, or the end of the timeout.
 #
 # </details>
 #
@@ -614,7 +614,7 @@ yours(
 # </details>
 # <details><summary>b) <code>rclpy.spin_until_future_complete(self, future)</code></summary>
 #
-# ✓ It waits for another callback of this node, which can't run until this one returns. Without a timeout, it waits
+# ✓ It waits for another callback of this node, which can't run until this callback returns. Without a timeout, it waits
 # forever.
 #
 # </details>
@@ -654,15 +654,15 @@ yours(
 # that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # The loop never spins the node, so the emergency stop would wait in its queue forever. There are three solutions:
 #
 # 1. Turn the loop into a timer with a period of 20 ms, and call `rclpy.spin`. This is the usual solution, but then
 #    reading the joystick must never block.
 # 2. Keep the loop, but instead of sleeping, spin until the 20 ms have passed. Call `spin_once` repeatedly with a short
-#    timeout, because one call runs only one callback. Then the stop waits for at most one other callback. With
-#    `timeout_sec=0` instead of the sleep, the loop would keep a processor busy.
+#    timeout, because one call runs only one callback. Then the emergency stop waits for at most one other callback.
+#    With `timeout_sec=0` instead of the sleep, the loop would keep a processor busy.
 # 3. Spin in a separate thread with its own executor, and end the thread with `shutdown` and `join`. This solution is
 #    right if the library that reads the joystick blocks. But then two threads access the same data.
 #

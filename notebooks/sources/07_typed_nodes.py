@@ -5,12 +5,12 @@
 # How many of the mistakes in your ROS code does it find?
 #
 # - **Minutes:** 50
-# - **You need:** lessons [00](00_start_here.ipynb) to 06, and to have seen a hint such as `level: float` before
+# - **You need:** lessons [00](00_start_here.ipynb) to 06, and some familiarity with type hints such as `level: float`
 # - **You will be able to:**
 #   - annotate a node, and check it with mypy
 #   - predict which mistakes in ROS code mypy finds
-#   - have your messages checked before the robot runs
-# - **Left out:** type hints for services and actions, other type checkers, and how to add type hints to rclpy itself
+#   - check your messages before the robot runs
+# - **Not covered:** type hints for services and actions, other type checkers, and how to add type hints to rclpy itself
 #
 # This robot publishes a heartbeat. When its battery drops below half, it should publish a warning, too.
 
@@ -39,7 +39,7 @@ rclpy.init()
 rclpy.spin(TiredRobot())
 
 # %% [markdown]
-# The next cell records the robot for five seconds. In the film, the robot moves at each heartbeat.
+# The next cell records the robot for five seconds. In the animation, the robot moves at each heartbeat.
 
 # %%
 from workbook.lesson import arrivals, record
@@ -111,23 +111,23 @@ class Vitals(Node):
 '''
 
 # %% [markdown] prediction="seven-mistakes"
-# All functions have hints, and we run `mypy --strict`. rclpy and the messages are as ROS installs them. How many of the
-# seven numbered mistakes does it find?
+# All functions have hints, and we run `mypy --strict` with rclpy and the message packages that ROS installs. How many
+# of the seven numbered mistakes does mypy find?
 #
-# - **a** Three: those where rclpy itself is used wrongly.
+# - **a** Three: the ones that misuse rclpy itself.
 #   when `mistakes_found == 3`
-#   ✓ rclpy has hints, so mypy finds 1, 2 and 5. The other four depend on the messages, and mypy has no types
-#   for them.
-# - **b** All of them. That is what hints are for.
+#   ✓ rclpy has hints, so mypy finds 1, 2, and 5. The other four mistakes depend on the messages, and mypy has no types
+#   for those.
+# - **b** All of them, because finding mistakes is the purpose of hints.
 #   when `mistakes_found == 7`
-#   ✗ mypy can check only what it has types for. The message packages have none, so it accepts everything that you do
-#   with a message.
-# - **c** The two misspelled names, 5 and 7. The rest shows only at run time.
+#   ✗ mypy can check only code for which it has types. The message packages have none, so mypy accepts any use of a
+#   message.
+# - **c** Two: the misspelled names, 5 and 7. You find the others only by running the program.
 #   when `mistakes_found == 2`
-#   ✗ 5 is a method of rclpy, and mypy finds it. 7 is a field of a message, and mypy has no types for messages.
-# - **d** None. Python does not look at hints.
+#   ✗ mypy finds 5, because rclpy's methods have hints. But 7 is a message field, and mypy has no types for messages.
+# - **d** None, because Python ignores hints.
 #   when `mistakes_found == 0`
-#   ✗ Python does not look at hints while a program runs. mypy does, and it reads the hints of rclpy as well.
+#   ✗ Python ignores hints while a program runs. But mypy checks them, including rclpy's.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -144,8 +144,8 @@ as_installed = check_types(VITALS, stubs=False)
 as_installed
 
 # %% [markdown]
-# The next cell makes the same seven mistakes at run time, one after another. It runs without the field checks that
-# these notebooks normally use. You don't need to study its code.
+# The next cell runs code with the same seven mistakes, one after another. It runs without the field checks that these
+# notebooks normally use. You don't need to study its code.
 
 # %%
 # %%writefile seven_times.py
@@ -228,17 +228,18 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 # %% [markdown]
 # ## Look inside
 #
-# mypy finds three of the seven mistakes. At run time, mistakes 5, 6, and 7 raise an error only *when the line is
-# reached*. That may be at the first tick, or on the day when the battery runs low. In this build, mistakes 3 and 4
-# raise no error. The text arrives as `0.0`, and a callback for a `String` receives a `Float32`.
+# mypy finds three of the seven mistakes. At run time, mistakes 5, 6, and 7 raise an error only *when the program
+# reaches the line*. That may be at the first tick, or months later, when the battery runs low. In this build, mistakes
+# 3 and 4 don't raise an error. In mistake 3, a callback for a `String` receives a `Float32`. In mistake 4, the string
+# arrives as `0.0`.
 #
 # **On a robot, mistake 4 may crash the program.** With *this course's packages*, 0.0 arrives. But the message code in
 # the Ubuntu packages may be compiled with assertions. In that case, the wrong value aborts the whole process, and
 # `except` can't catch the abort ([rclpy #1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Why does mypy find so few mistakes in the messages? Its report gives the reason: `Skipping analyzing "std_msgs.msg"`,
-# with the code `import-untyped`. So which type does mypy assign to a message? To find out, use `reveal_type(x)`, which
-# makes mypy print the type of `x`. It's meant for mypy, not for Python.
+# with the code `import-untyped`. So what type does a message have in mypy's view? To find out, use `reveal_type(x)`,
+# which makes mypy print the type of `x`. This call is meant for mypy, not for Python.
 
 # %%
 QUESTIONS = '''\
@@ -257,17 +258,17 @@ check_types(QUESTIONS, stubs=False, notes=True)
 # The publisher's type is `Publisher`. The message's type is **Any**, which means that mypy knows nothing about it and
 # accepts everything that you do with it.
 #
-# Type checkers use the hints inside a package only if the package contains a file named `py.typed`. rclpy does.
-# But the message packages are generated without hints and without the file. Don't silence `import-untyped`, because
-# it's the only sign that your messages aren't being checked.
+# Type checkers use the hints inside a package only if the package contains a file named `py.typed`. rclpy contains one.
+# But the message packages are generated without hints and without this file. Don't silence `import-untyped`: it's the
+# only sign that mypy isn't checking your messages.
 #
 # ### The second net: stubs
 #
 # Think of each check as a **net**: a mistake that slips through one net may be caught by the next. Plain mypy was the
 # first net.
 #
-# A **stub** is a file with the extension `.pyi` that contains the hints for a module without any. This course has stubs
-# for the message packages, generated from the message classes. Here's the stub for `Float32`:
+# A **stub** is a file with the extension `.pyi` that contains hints for a module that has none itself. This course has
+# stubs for the message packages, generated from the message classes. Here's the stub for `Float32`:
 
 # %%
 from std_msgs.msg import Float32
@@ -282,8 +283,8 @@ print("new among them:  ", sorted(found(with_stubs) - found(as_installed)))
 with_stubs
 
 # %% [markdown]
-# Now mypy knows the fields, so `import-untyped` is gone. mypy finds the text in the float field, and suggests the field
-# that `dta` was supposed to be.
+# Now mypy knows the fields, so `import-untyped` is gone. mypy finds the string in the float field, and for `dta`, it
+# suggests the correct field.
 #
 # For your own project, copy the folder `workbook/typings`, and run `mypy --config-file typings/mypy.ini my_node.py`.
 #
@@ -314,10 +315,11 @@ for finding in with_typed_publisher.findings:
         print(finding.message)
 
 # %% [markdown]
-# One annotation on the attribute is enough. To cover *all* message types with one description, you need type variables,
-# as the optional notebook linked at the end shows.
+# One annotation on the attribute is enough. To cover *all* message types with one description, you need type variables:
+# see the optional notebook linked at the end.
 #
-# The next cell compares all nets. It uses the results of the runs above, so each mistake was really made.
+# The next cell compares five nets: mypy at each of the three steps above, and the program itself, without and with
+# field checks.
 
 # %%
 more_lines = len(typed.splitlines()) - len(VITALS.splitlines())
@@ -363,17 +365,17 @@ nets_picture(
 )
 
 # %% [markdown]
-# No net catches everything. The two on the right catch a mistake only when its line runs. None of the five catches
-# mistake 3, but you'll catch it yourself later in this lesson.
+# No net catches everything, and the two on the right catch a mistake only when its line runs. None of the five catches
+# mistake 3, but later in this lesson, you'll write a check that does.
 
 # %% [markdown]
 # ## Change it
 #
 # ### Experiment 1: three shapes of one node
 #
-# You can write a node in three ways. A **script** has all of its code at the top level of the file. A **closure** is a
-# function whose inner functions use its variables. A **class** stores its state in `self`. Here are three modules that
-# publish a battery's level, one in each shape. Run them for a minute of robot time.
+# A node's code can have one of three shapes. A **script** has all of its code at the top level of the file. A
+# **closure** is a function whose inner functions use its variables. A **class** stores its state in `self`. Here are
+# three modules that publish a battery's level, one for each shape. Run them for a minute of robot time.
 
 # %%
 from lesson_nodes import battery_class, battery_closure, battery_script
@@ -386,25 +388,24 @@ for name, module in SHAPES.items():
     print(f"{name:8} {lines} lines of text, {messages} messages in a minute")
 
 # %% [markdown] prediction="three-shapes"
-# On their topics the three behave alike. What about mypy? We put the same mistake into each, `create_timer("2 s", ...)`,
-# and remove all hints of the form `-> None`. mypy runs without `--strict`. In which of the three does it find the
-# mistake?
+# The three programs publish the same messages. But does mypy treat them the same way? We put the mistake
+# `create_timer("2 s", ...)` into each program, remove all `-> None` hints, and run mypy without `--strict`. In which
+# programs does mypy find the mistake?
 #
-# - **a** in all three: the call is wrong in each
+# - **a** In all three: the call is wrong in each of them.
 #   when `script > 0 and closure > 0 and in_class > 0`
-#   ✗ The call is wrong in each. But mypy does not look into functions without hints, and two of the three calls are
-#   in one.
-# - **b** in the class and the closure, because there is more structure
+#   ✗ The call is indeed wrong in each of them. But mypy doesn't check functions without hints, and two of the three
+#   calls are inside such a function.
+# - **b** In the class and the closure: their code has more structure.
 #   when `script == 0 and closure > 0 and in_class > 0`
-#   ✗ It is the other way around: there, the call is inside a function without hints, and mypy skips it.
-# - **c** in none: there are no hints any more
+#   ✗ It's the other way around. In the class and the closure, the call is inside a function without hints, so mypy
+#   skips it.
+# - **c** In none: the hints are gone.
 #   when `script == 0 and closure == 0 and in_class == 0`
-#   ✗ Hints of your own are gone, but those of rclpy are still there. Code outside of functions is checked against
-#   them.
-# - **d** only in the script
+#   ✗ Your own hints are gone, but rclpy still has its hints. mypy checks any code outside functions against them.
+# - **d** Only in the script.
 #   when `script > 0 and closure == 0 and in_class == 0`
-#   ✓ In the script the call stands outside of any function, and mypy always reads that. It skips functions without
-#   hints.
+#   ✓ In the script, the call isn't inside a function, so mypy checks it. mypy skips functions without hints.
 
 # %%
 predict("three-shapes")
@@ -432,7 +433,7 @@ reveal(
 
 # %% [markdown]
 # **Your turn.** In the closure, the wrong call is in a function that begins with `def main():`. Write that line with a
-# hint, so that mypy checks the function.
+# hint so that mypy checks the function.
 
 # %% id="your-hint"
 from workbook.lesson import yours
@@ -449,25 +450,26 @@ yours(... if line is ... else len(report), 1, '"def main() -> None:"')
 # so does `--strict`, which includes that option. Adding one hint, such as `-> None`, is enough to have a function
 # checked. Code at the top level of a file isn't in a function, so mypy always checks it.
 #
-# Which shape is best? A script is fine for ten lines. A closure's state is hidden, so it's hard to test. In a class,
-# everything has a name and a type, and for a second robot you create a second object. So most nodes are classes.
+# Which shape is best? A script is fine for ten lines. A closure is hard to test, because its state is hidden. In a
+# class, everything has a name and a type. And for a second robot, you just create a second object. So most nodes are
+# classes.
 
 # %% [markdown] prediction="a-whole-number"
 # ### Experiment 2: a whole number
 #
-# You know from lesson 03 that a float field needs a Python float. Here, `send(level: float)` makes `Float32(data=level)`,
-# and the program calls `send(100)`. Who stops it?
+# In lesson 03, you saw that a float field needs a Python float. Here, `send(level: float)` creates
+# `Float32(data=level)`, and the program calls `send(100)`. Which tool reports the mistake?
 #
-# - **a** mypy: 100 is an int, and the hint says float.
+# - **a** mypy, because 100 is an int and the hint is float.
 #   when `complaints > 0`
-#   ✗ In Python's type system an int is accepted wherever a float is. mypy follows that rule.
-# - **b** Python, when `send` is called.
+#   ✗ In Python's type system, an int is accepted wherever a float is expected. mypy follows that rule.
+# - **b** Python, when the program calls `send`.
 #   when `complaints == 0 and raised_in_python`
-#   ✗ Python keeps the hint and does not compare it with the value.
-# - **c** Neither mypy nor Python; the value goes into the message.
+#   ✗ Python stores the hint, but doesn't compare it with the value.
+# - **c** Neither mypy nor Python, so the value goes into the message.
 #   when `complaints == 0 and not raised_in_python`
-#   ✓ mypy accepts an int for a float, and Python does not check hints. What the message code does with it depends on the
-#   build: here it sends 0.0, with the Ubuntu packages it may abort the process.
+#   ✓ mypy accepts an int as a float, and Python doesn't check hints. The result depends on the build: this course's
+#   packages send 0.0, and the Ubuntu packages may abort the process.
 
 # %%
 predict("a-whole-number")
@@ -511,8 +513,9 @@ reveal(
 )
 
 # %% [markdown]
-# mypy accepts an `int` as a `float`, because Python can calculate with both. But the message's C code can't convert it:
-# you get a wrong value or a crash, depending on the build. So convert the value when you put it into the message:
+# mypy accepts an `int` where a `float` is expected, because Python's arithmetic works with both. But the message's C
+# code can't convert an int: you get a wrong value or a crash, depending on the build. So convert the value when you put
+# it into the message:
 
 # %%
 converted = run_program(LEVEL.format(value="float(level)", given="100"), seconds=20)
@@ -524,8 +527,8 @@ print("and field checks:", errors[-1])
 # %% [markdown] prediction="one-of-two-words"
 # ### Experiment 3: one of two words
 #
-# A status is `operational` or `error`. The hint `str` accepts every text. `Literal["operational", "error"]` accepts only
-# these two. Here, both calls pass a word that is spelled right:
+# A status is `operational` or `error`. The hint `str` accepts any string, but `Literal["operational", "error"]` accepts
+# only these two. Here, both calls pass a correctly spelled word:
 #
 # ```python
 # Status = Literal["operational", "error"]
@@ -538,17 +541,18 @@ print("and field checks:", errors[-1])
 # send_status(word)
 # ```
 #
-# What does mypy say?
+# What does mypy report?
 #
-# - **a** Nothing: both words are one of the two.
+# - **a** Nothing, because both words are valid.
 #   when `first_call == 0 and second_call == 0`
-#   ✗ They are, when the program runs. But mypy compares types, and it gives the variable `word` the type `str`.
-# - **b** It objects to both calls: a `str` is not a `Literal`.
+#   ✗ Both are valid when the program runs. But mypy compares types, and it infers the type `str` for the variable
+#   `word`.
+# - **b** An error in both calls, because a `str` isn't a `Literal`.
 #   when `first_call > 0 and second_call > 0`
-#   ✗ A text that stands in the call itself is no mere `str` to mypy. It sees which text it is.
-# - **c** It objects to the second call only.
+#   ✗ If a call contains the string itself, mypy checks its exact value. So the first call passes.
+# - **c** An error in the second call only.
 #   when `first_call == 0 and second_call > 0`
-#   ✓ mypy gives the variable `word` the type `str`, and a `str` may be any text.
+#   ✓ mypy infers the type `str` for the variable `word`, and a `str` can be any string.
 
 # %%
 predict("one-of-two-words")
@@ -582,8 +586,9 @@ reveal(
 )
 
 # %% [markdown]
-# **Your turn.** Give the variable a narrower type, so that mypy accepts both calls. The narrower the type, the more
-# mistakes mypy finds. But Python doesn't enforce hints: the cell then sends `eror`, and only mypy reports it.
+# **Your turn.** Give the variable a narrower type so that mypy accepts both calls. The narrower the type, the more
+# mistakes mypy finds. But Python doesn't enforce hints. To show this, the cell also sends the misspelled `eror`, which
+# only mypy reports.
 
 # %% id="your-word"
 line = ...  # TODO: word = "operational", with a hint, as text
@@ -599,8 +604,8 @@ print(run_program(wrong, seconds=20).log)
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Hints from newer books.** In newer ROS versions, publishers are generic, so you often see `Publisher[String]`.
-# Here's what this version does:
+# **Hints from newer ROS versions.** In newer ROS versions, publishers are generic, so you often see
+# `Publisher[String]`. Here's what happens in this version:
 
 # %% id="publisher-subscript" tags=["raises-exception"]
 from rclpy.publisher import Publisher
@@ -638,8 +643,8 @@ fresh(Reporter)
 #
 # [the same without helpers: init, fresh]
 #
-# **A value from outside.** This function is annotated, and mypy accepts the program. But the value comes from a file,
-# and mypy doesn't know the file's content.
+# **A value from outside.** In the next program, `send` is annotated, and mypy accepts the call. But the value is parsed
+# from JSON, as if it came from a file, so mypy doesn't know its type.
 
 # %% id="hints-are-no-guards"
 OUTSIDE = LEVEL.replace("import time\n", "import json\nimport time\n")
@@ -648,7 +653,7 @@ print(check_types(careless))
 print(run_program(careless, seconds=20).log)
 
 # %% [markdown]
-# The dashboard shows 0%, and there's no error. So check values from outside at run time, and raise a helpful error:
+# A dashboard would show 0%, and there's no error. So check values from outside at run time, and raise a helpful error:
 
 # %%
 GUARD = '''\
@@ -661,16 +666,17 @@ print(check_types(guarded))
 print(run_program(guarded, seconds=20).log.strip().splitlines()[-1])
 
 # %% [markdown]
-# `float(level)` alone isn't enough: it accepts the text `"87.5"`, but fails with the next text, `"87 %"`.
+# `float(level)` alone isn't enough: it accepts the string `"87.5"`, but fails on the string `"87 %"`.
 #
-# `# type: ignore` at the end of a line hides everything that mypy would report there. `Any` hides all mistakes in the
-# use of a value. If you really need one of them, add a comment with the reason. But neither of them fixes a mistake.
+# `# type: ignore` at the end of a line hides everything that mypy would report there. With the hint `Any`, mypy accepts
+# everything that you do with a value. If you really need one of the two, explain why in a comment. But neither fixes a
+# mistake.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** A charging station has a typed publisher, allows three words, and checks each word before it goes
-# into a message.
+# **Worked example.** The next node belongs to a charging station. It has a typed publisher, accepts only three words,
+# and checks each one before putting it into a message.
 
 # %%
 from typing import Literal, Protocol, get_args
@@ -713,12 +719,12 @@ for misuse in (
         print(f"{type(error).__name__}: {error}")
 
 # %% [markdown]
-# The second error comes from rclpy, because `publish` checks the message's class. It doesn't check the fields.
+# The second error comes from rclpy: `publish` checks the message's class, but not its fields.
 #
 # **Fill in the blanks.** So far, no net has caught mistake 3, a subscription whose callback expects another message
-# type. `listen` ties the two together: the type variable `Message` stands for the same type in both hints. Write the
-# two hints as text. When both are right, mypy reports line 25 and no other. `Callable[[X], None]` is a function that
-# takes an `X` and returns nothing.
+# type. `listen` ties the message type to the callback: the type variable `Message` stands for the same type in both
+# hints. Write the two hints as strings. When both are right, mypy reports only line 25. `Callable[[X], None]` is the
+# type of a function that takes an `X` and returns nothing.
 
 # %% id="your-listen"
 kind = ...  # TODO: the hint for a message class, such as "type[String]"
@@ -761,18 +767,18 @@ yours(
 )
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/07_typed_nodes.ipynb), two other teams call your node. Make mypy and your
-# node reject misuse with clear errors. The judge looks at the messages that your node publishes *and* at mypy's report
-# on your code.
+# **Your own.** In the [exercise](../exercises/07_typed_nodes.ipynb), two other teams call your node's methods. Change
+# the node so that mypy and the node itself reject misuse with clear errors. The judge looks at the messages that your
+# node publishes *and* at mypy's report on your code.
 
 # %% [markdown]
 # ## Check yourself
 #
 # **1. Why does mypy accept `Float32().dta` with the packages that ROS installs?**
 #
-# <details><summary>a) The package has no hints that mypy may use, so the message is Any</summary>
+# <details><summary>a) The package has no hints that mypy can use, so the message is Any</summary>
 #
-# ✓ `Any` has every attribute. The `import-untyped` at the top of the report is the warning.
+# ✓ `Any` has every attribute. The `import-untyped` at the top of the report warns you about this.
 #
 # </details>
 # <details><summary>b) Fields are looked up at run time, so no tool can check them</summary>
@@ -788,7 +794,7 @@ yours(
 #
 # **2. What does plain mypy report for `def on_tick(self): self.create_timer("2 s", self.send)`?**
 #
-# <details><summary>a) That a text isn't a valid period</summary>
+# <details><summary>a) That a string isn't a valid period</summary>
 #
 # ✗ It would report this with `-> None`, or with `--check-untyped-defs` or `--strict`, which check all functions.
 #
@@ -804,14 +810,14 @@ yours(
 #
 # </details>
 #
-# **3. `send` is defined as `def send(self, level: float) -> None`. What happens if a program calls `send("full")` without mypy?**
+# **3. `send` is defined as `def send(self, level: float) -> None`. What happens if a program that mypy hasn't checked calls `send("full")`?**
 #
 # <details><summary>a) Python raises a TypeError at the call</summary>
 #
 # ✗ Python stores the hint, but never compares it with the value.
 #
 # </details>
-# <details><summary>b) The text goes into the message: 0.0 is sent, or the program crashes</summary>
+# <details><summary>b) The string goes into the message: 0.0 is sent, or the program crashes</summary>
 #
 # ✓ With this course's packages, 0.0 is sent; with the Ubuntu packages, the process may abort. A check in `send` would
 # have prevented both.
@@ -827,8 +833,8 @@ yours(
 #
 # <details><summary>a) If it has a method publish that takes a Float32</summary>
 #
-# ✓ A Protocol only lists the methods that an object needs. Every object with them fits, even a small fake that you
-# write for a test.
+# ✓ A Protocol only lists the methods that an object needs. Every object that has these methods matches it, even a small
+# fake that you write for a test.
 #
 # </details>
 # <details><summary>b) If its class inherits from SendsFloats</summary>
@@ -843,7 +849,7 @@ yours(
 #
 # </details>
 #
-# **5. mypy, strict and with stubs, finds nothing in your node. Which of these mistakes may it still contain?**
+# **5. In strict mode and with stubs, mypy finds nothing in your node. Which mistake could the node still contain?**
 #
 # <details><summary>a) A misspelled message field</summary>
 #
@@ -855,10 +861,10 @@ yours(
 # ✗ rclpy's own functions have hints, so mypy found this mistake even without stubs.
 #
 # </details>
-# <details><summary>c) An int in a float field, so that the battery topic carries 0.0</summary>
+# <details><summary>c) An int in a float field, which makes the battery topic carry 0.0</summary>
 #
-# ✓ mypy accepts an int as a float. `float(level)` prevents the mistake, and a test of the messages that arrive finds
-# it.
+# ✓ mypy accepts an int as a float. `float(level)` prevents the mistake, and a test that checks the received messages
+# finds it.
 #
 # </details>
 
@@ -875,18 +881,18 @@ yours(
 # rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# Don't start with everything on Monday. For thirty nodes, `--strict` reports hundreds of mistakes, and people then
-# silence them with `# type: ignore`.
+# Don't enable every check on Monday. For thirty nodes, `--strict` reports hundreds of errors, and people then silence
+# them with `# type: ignore`.
 #
-# Add stubs for the messages first, because without them, most of ROS is `Any`. Next, run plain mypy on all nodes, so
-# that nothing gets worse. Then add `-> None` and argument hints, node by node, and turn on the strict settings for a
+# Add stubs for the messages first, because without them, most ROS types are `Any`. Next, run plain mypy on all nodes,
+# so that nothing gets worse. Then add `-> None` and argument hints, node by node, and turn on the strict settings for a
 # node once it's clean.
 #
 # mypy doesn't find bad values from outside, an int in a float field, topic names that don't match, or wrong periods. It
-# doesn't check timing at all. Finding these faults takes checks at run time, field checks in tests, and tests of the
-# messages that arrive.
+# doesn't check timing at all. To find these faults, you need checks at run time, field checks in tests, and tests that
+# check the received messages.
 #
 # </details>
 #
@@ -895,8 +901,8 @@ yours(
 # Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`self.level: Publisher[Float32] = …`:** In Jazzy, `Publisher` doesn't accept a type in brackets, and mypy reports
-#   this hint. Inside a method, Python ignores the hint; in a signature, Python 3.13 and older raise a `TypeError`.
-#   Newer ROS versions allow it.
+#   this hint as an error. Inside a method, Python ignores the hint; in a signature, Python 3.13 and older raise a
+#   `TypeError`. Newer ROS versions allow it.
 # - **mypy will find the misspelled field `msg.dta`:** In fact, it can't without stubs. The message packages come
 #   without types, so each message is `Any`.
 #
@@ -908,7 +914,7 @@ yours(
 # - mypy reads a program and follows its hints, so it finds mistakes even in lines that have never run.
 # - By default, it doesn't check functions without hints. `-> None` is enough to have a function checked; `--strict`
 #   demands hints everywhere.
-# - `import-untyped` means that messages are `Any` to mypy. Stubs describe their fields.
+# - `import-untyped` means that messages are `Any` to mypy. Stubs describe the messages' fields.
 # - A Protocol with a method `publish` gives a publisher a message type, so mypy reports a wrong message as an error.
 # - Hints do nothing at run time. Check values from outside, and convert ints with `float(...)`.
 #

@@ -1,19 +1,20 @@
 # %% [markdown]
 # # 07 · Deeper: one typed publisher for all messages
 #
-# Lesson 07 wrote a separate `Protocol` for each message type. Can a single Protocol cover all message types?
+# In lesson 07, we wrote a separate `Protocol` for each message type. Can a single Protocol cover all message types?
 #
 # - **Minutes:** 10
 # - **You need:** lesson [07](07_typed_nodes.ipynb)
 # - **You will be able to:**
 #   - write a generic Protocol
 #   - write a function whose return type depends on the message class
-# - **Left out:** generic classes of your own that store state
+# - **Not covered:** your own generic classes that store state
 
 # %% [markdown] prediction="one-letter-less"
 # ## Predict
 #
-# `Sends[Float32]` should mean "publishes Float32". The bracket needs a type variable, here `Taken`:
+# `Sends[Float32]` should mean "publishes Float32". To accept a type in brackets, `Sends` needs a type variable, here
+# called `Taken`:
 #
 # ```python
 # Taken = TypeVar("Taken")
@@ -22,17 +23,18 @@
 #     def publish(self, msg: Taken) -> None: ...
 # ```
 #
-# `Taken` appears only as an argument. What does `mypy --strict` say about these lines?
+# `Taken` appears only as the type of an argument. What does `mypy --strict` report for these lines?
 #
-# - **a** Nothing: the class is complete.
+# - **a** Nothing, because the class is complete.
 #   when `complaints == 0`
-#   ✗ mypy wants to know in which direction the type goes, and here it goes in only.
-# - **b** It wants the variable to be contravariant.
+#   ✗ A complete class isn't enough. mypy also checks the direction in which the type is used, and here, the type only
+#   goes in, as an argument.
+# - **b** It asks for a contravariant type variable.
 #   when `complaints > 0 and 'contravariant' in said`
-#   ✓ A type that goes only in, as an argument, is contravariant.
-# - **c** It wants a bound, such as a base class of all messages.
+#   ✓ A type that only goes in, as an argument, has to be contravariant.
+# - **c** It asks for a bound, such as a base class of all messages.
 #   when `complaints > 0 and 'contravariant' not in said`
-#   ✗ A type variable needs no bound. ROS messages have no common base class in Python.
+#   ✗ A type variable needs no bound. And ROS messages have no common base class in Python.
 
 # %%
 from workbook.lesson import check_types, predict, reveal
@@ -59,8 +61,9 @@ reveal("one-letter-less", complaints=len(report), said=str(report))
 # %% [markdown]
 # ## Look inside
 #
-# **Your turn.** `TypeVar` accepts the word in mypy's message as an argument: `covariant=True` would be the opposite.
-# Write the line, so that mypy has nothing to report.
+# **Your turn.** mypy's message names the kind of type variable that it expects. Pass that word to `TypeVar` as a
+# keyword argument, just as you'd write `covariant=True` for the opposite kind. Write the line so that mypy reports
+# nothing.
 
 # %% id="your-variable"
 from workbook.lesson import yours
@@ -75,8 +78,8 @@ yours(... if line is ... else len(report), 0, "contravariant=True")
 # `contravariant=True` declares that the type appears only as an argument. So you can use a publisher that accepts every
 # message where a publisher for `Float32` is expected, but not the other way around.
 #
-# `make_publisher` ties two hints together, because `Message` stands for the same type in both. With `kind=Float32`, the
-# function returns a `Sends[Float32]`.
+# In the next cell, `make_publisher` ties its return type to its argument `kind`, because `Message` stands for the same
+# type in both hints. With `kind=Float32`, the function returns a `Sends[Float32]`.
 
 # %%
 TYPED = '''\
@@ -133,8 +136,8 @@ nets_picture(
 )
 
 # %% [markdown]
-# From Python 3.12 on, you can write `class Sends[Taken](Protocol)` and `def make_publisher[Message](...)`, and leave
-# out the two lines with `TypeVar`.
+# In Python 3.12 and later, you can write `class Sends[Taken](Protocol)` and `def make_publisher[Message](...)`, and
+# leave out the two lines with `TypeVar`.
 
 # %% [markdown]
 # ## Take away

@@ -1,18 +1,18 @@
 # %% [markdown]
 # # 08 · The humanoid status publisher
 #
-# Every real robot keeps reporting that it works, and how much charge its battery has left. How do you build a node that
-# publishes these reports reliably?
+# Every real robot regularly reports whether it's working and how much charge its battery has left. How do you build a
+# node that publishes these reports reliably?
 #
 # - **Minutes:** 50
-# - **You need:** lesson [05](05_timers.ipynb), and what a node, a publisher and a message are
+# - **You need:** lesson [05](05_timers.ipynb), and the basics of nodes, publishers, and messages
 # - **You will be able to:**
-#   - build a node that publishes two topics at two rates
+#   - build a node that publishes to two topics at two rates
 #   - send numbers that arrive unchanged
 #   - count a publisher's subscriptions
 #   - say what happens after a callback raises an exception
 #   - end a node on Ctrl-C with exit code 0
-# - **Left out:** real battery sensors (`sensor_msgs/BatteryState`), multithreading, services
+# - **Not covered:** real battery sensors (`sensor_msgs/BatteryState`), multithreading, services
 
 # %% [markdown]
 # The next cell starts the finished node in a separate process.
@@ -36,7 +36,7 @@ print("its battery level:", about(view.battery, "%", between=(95, 100), digits=3
 stop()
 
 # %% [markdown]
-# Compare the two rows of dots: how do their spacings differ?
+# Compare the two rows of dots: how does their spacing differ?
 #
 # [the same without helpers: start]
 
@@ -50,21 +50,21 @@ stop()
 # self.battery_timer = self.create_timer(2.0, self.publish_battery)
 # ```
 #
-# The node has been running for hours when an operator opens a dashboard. What's the longest time until the dashboard
-# shows the battery level?
+# The node has been running for hours when an operator opens a dashboard. How long can it take, at most, before the
+# dashboard shows the battery level?
 #
-# - **a** No time: the dashboard asks the node for the level.
+# - **a** 0 s, because the dashboard requests the level from the node.
 #   when `longest_wait_s < 0.5`
-#   ✗ There are no requests on a topic. A subscription gets the next message that is published.
-# - **b** 2 s: one period of the battery's timer.
+#   ✗ A subscriber can't request a value from a topic. It receives the next message that is published.
+# - **b** 2 s, the period of the battery timer.
 #   when `1.5 <= longest_wait_s < 2.6`
-#   ✓ A subscriber that has just missed a message waits one period of that topic. That is the longest wait.
-# - **c** 1 s: then the next message of this node comes.
+#   ✓ In the worst case, the subscriber has just missed a message. Then it waits for one period of that topic.
+# - **c** 1 s, because by then, the node has published its next message.
 #   when `0.5 <= longest_wait_s < 1.5`
-#   ✗ After 1 s at most there is a status. The battery has a timer of its own, with a longer period.
-# - **d** 3 s: first comes the status, then the battery.
+#   ✗ A status message arrives within 1 s. But the battery has its own timer, with a longer period.
+# - **d** 3 s: first the status, and then the battery.
 #   when `longest_wait_s >= 2.6`
-#   ✗ The timers do not take turns. Each one follows its own period.
+#   ✗ The timers don't wait for each other. Each one follows its own period.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -74,8 +74,8 @@ predict("the-dashboard-opens")
 # %% [markdown]
 # ## Run it
 #
-# We don't want to wait for a minute. So the recorder drives the robot's clock (simulated time, lesson 05), and one
-# minute of robot time takes only a few real seconds.
+# We don't want to wait for a whole minute. So the recorder drives the robot's clock (simulated time, lesson 05), and
+# one minute of robot time takes only a few real seconds.
 #
 # [the same without helpers: record]
 
@@ -154,10 +154,10 @@ await run(humanoid, until=lambda: humanoid.sent == 3, seconds=10)
 # %% [markdown]
 # ### Step 2: a battery that drains
 #
-# We don't have a battery, so we simulate one: a number that gets a little smaller each time. It mustn't go below zero,
-# because a subscriber might accept −0.1% as a real level.
+# We don't have a battery, so we simulate one with a number that gets a little smaller at each tick. The number must
+# never go below zero, because a subscriber might accept −0.1% as a real level.
 #
-# **Your turn.** Write the function that computes the next level. It drains the battery by 0.3, but never below 0.0.
+# **Your turn.** Write the function that computes the next level. It lowers the level by 0.3, but never below 0.0.
 
 # %% id="your-drain"
 from workbook.lesson import yours
@@ -212,8 +212,8 @@ humanoid.destroy_node()
 # %% [markdown]
 # ### Step 4: the finished node
 #
-# This class from `lesson_nodes/humanoid_status_publisher.py` published the dashboard's messages. Three things are new:
-# named constants, a docstring that lists the topics, and a check of the initial level.
+# This class from `lesson_nodes/humanoid_status_publisher.py` published the messages that you saw on the dashboard.
+# Three things are new: named constants, a docstring that lists the topics, and a check of the initial level.
 
 # %%
 import inspect
@@ -223,7 +223,7 @@ from lesson_nodes.humanoid_status_publisher import HumanoidStatusPublisher
 print(inspect.getsource(HumanoidStatusPublisher))
 
 # %% [markdown]
-# Copy these three habits:
+# Adopt these three habits:
 #
 # - **List the topics in the docstring,** each with its type, rate, and meaning. The list is your contract with all
 #   subscribers.
@@ -237,7 +237,7 @@ print(inspect.getsource(HumanoidStatusPublisher))
 # ### Experiment 1: until the battery is empty
 #
 # A full battery lasts about 11 minutes: it loses 0.3% per message on average, and there's a message every 2 s. To save
-# time, this program passes a different initial level to the class: 10%.
+# time, this program creates the node with an initial level of just 10%.
 
 # %%
 # %%writefile evening.py
@@ -248,21 +248,22 @@ rclpy.init()
 rclpy.spin(HumanoidStatusPublisher(battery_level=10.0))
 
 # %% [markdown] prediction="the-empty-battery"
-# We record two minutes of robot time. At one of the battery timer's ticks, the level reaches 0.0. After that, what's
-# the longest time until `/robot/status` reports `error`?
+# We record two minutes of robot time. At one of the battery timer's ticks, the level reaches 0.0. After that, how long
+# can it take, at most, before `/robot/status` reports `error`?
 #
-# - **a** No time: both callbacks share `self.battery_level`.
+# - **a** 0 s, because both callbacks share `self.battery_level`.
 #   when `delay_s < 0.5`
-#   ✗ They share the level. But nothing calls the status callback when the level changes: it has a timer of its own.
-# - **b** 1 s: the period of the status.
+#   ✗ They do share the level. But when the level changes, nothing calls the status callback, which has its own timer.
+# - **b** 1 s, the period of the status timer.
 #   when `0.5 <= delay_s < 1.5`
-#   ✓ The status callback reads the level when its own timer ticks. The next tick comes after one period at most.
-# - **c** 2 s: the period of the battery.
+#   ✓ The status callback reads the level whenever its own timer ticks. The next tick comes after at most one period.
+# - **c** 2 s, the period of the battery timer.
 #   when `1.5 <= delay_s < 2.5`
-#   ✗ The next battery message comes after 2 s. The status does not wait for it: it reads the level, not the topic.
-# - **d** It never says so: the node had chosen its word when it started.
+#   ✗ The next battery message does come after 2 s. But the status callback reads the attribute, not the topic, so it
+#   doesn't wait for a message.
+# - **d** It never reports `error`, because the node chooses its status at startup.
 #   when `delay_s >= 2.5`
-#   ✗ The word is chosen in the callback, so it is chosen again for each message.
+#   ✗ The status callback chooses the status, so each message contains a new choice.
 
 # %%
 predict("the-empty-battery")
@@ -309,8 +310,8 @@ show(
 )
 
 # %% [markdown]
-# A message of 0.0 tells the operator what's wrong. Silence doesn't, because there could be several reasons: an empty
-# battery, a crashed program, or a broken network. So a status node should keep publishing as long as it can.
+# A message that says 0.0 tells the operator what's wrong. Silence doesn't, because it could have several causes: an
+# empty battery, a crashed program, or a broken network. So a status node should keep publishing as long as it can.
 #
 # ### Experiment 2: who is listening?
 #
@@ -337,21 +338,25 @@ rclpy.spin(node)
 
 # %% [markdown] prediction="who-is-counted"
 # We create the humanoid in this notebook and start the monitor. The publisher's `get_subscription_count()` then returns
-# 1. Now we publish one status message. What does the method return half a second later, and what after 10 s?
+# 1. Now we publish one status message, so the monitor kills itself. What does the method return 0.5 s after the
+# message, and what does it return after 10 s?
 #
-# In this course, DDS gives each program a **lease** of 2 s (`workbook/ros/loopback.xml`). Fast DDS's default is 20 s.
+# In this course, DDS gives each program a **lease** of 2 s (`workbook/ros/loopback.xml`), which the program keeps
+# renewing while it runs. Fast DDS's default is 20 s.
 #
-# - **a** 0 both times: Linux has closed all connections of the monitor.
+# - **a** 0 both times, because Linux has closed all of the monitor's connections.
 #   when `soon == 0`
-#   ✗ Linux closes its UDP ports. But UDP has no connections, so no other program learns of that.
-# - **b** It raises an error, because the listener is lost.
-#   ✗ A topic without a listener is no error in ROS. Listeners may come and go.
+#   ✗ Linux does close the monitor's UDP ports. But UDP has no connections, so other programs don't notice.
+# - **b** It raises an error, because its only subscriber is gone.
+#   ✗ A topic without subscribers isn't an error in ROS. Subscribers may come and go.
 # - **c** First 1, then 0.
 #   when `soon == 1 and late == 0`
-#   ✓ A killed program cannot sign off. DDS takes it off its list when nothing has come from it for the time of its lease.
-# - **d** 1 both times: a lease says how old a message may get.
+#   ✓ A killed program can't announce its end. DDS removes the monitor once it has received nothing from it for the
+#   length of its lease.
+# - **d** 1 both times, because the monitor never destroyed its subscription.
 #   when `soon == 1 and late == 1`
-#   ✗ That is the lifespan, another setting. A program renews its lease again and again. A killed one does not.
+#   ✗ It didn't, but a killed program can't renew its lease, either. When the lease expires, DDS removes the monitor's
+#   subscription.
 
 # %%
 predict("who-is-counted")
@@ -377,11 +382,11 @@ reveal("who-is-counted", soon=soon, late=late)
 stop()
 
 # %% [markdown]
-# With the default of 20 s, both counts would be 1. So the count includes every subscription that was discovered, even
-# if its program has since been killed.
+# So a killed program's subscriptions stay in the count until its lease expires. With Fast DDS's default of 20 s, both
+# counts would be 1.
 #
-# The count is still useful at the start. A message that's published before any subscription is connected is lost
-# ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. This one doesn't wait:
+# The count is still useful when a program starts up. A message that's published before any subscription is connected is
+# lost ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. The next cell doesn't wait:
 #
 # [the same without helpers: spin_for]
 
@@ -465,24 +470,24 @@ network
 # ### An exception in a background thread
 #
 # Many programs spin in a background thread to keep the main thread free. The next node publishes its status ten times a
-# second. A second timer estimates how long the battery will last, and its second call divides by zero. What happens to
-# the status messages?
+# second. A second timer's callback estimates how long the battery will last, and divides by zero in its second call.
+# What happens to the status messages?
 #
-# - **a** The program ends with a traceback and an exit code that is not 0.
+# - **a** The program ends with a traceback and a nonzero exit code.
 #   when `exit_code != 0`
-#   ✗ The exception ends the thread that spins, not the program. The main thread goes on and ends with 0.
-# - **b** The estimate is missing, the status goes on: the timers are independent.
+#   ✗ The exception ends only the thread that spins. The main thread continues and ends with exit code 0.
+# - **b** Only the estimate stops. The status continues, because the timers are independent.
 #   when `in_the_last_second > 0`
-#   ✗ Both timers are called by one thread, and the exception has ended it.
-# - **c** All timers stop, the program lives on, and from outside everything looks fine.
+#   ✗ A single thread runs both timers' callbacks, and the exception has ended that thread.
+# - **c** Both timers stop, but the program keeps running and looks fine from outside.
 #   when `exit_code == 0 and in_the_last_second == 0`
-#   ✓ The thread that spins is gone, so no callback runs any more. The node is still on the graph.
+#   ✓ The thread that spins has ended, so no callback runs anymore. But the node is still on the graph.
 
 # %%
 predict("the-exception")
 
 # %% [markdown]
-# The next cell prints the measurements from the program's main thread, and then its exit code.
+# The next cell prints the measurements from the program's main thread, and then the program's exit code.
 
 # %% id="deaf-node"
 from workbook.lesson import run_program
@@ -541,8 +546,9 @@ reveal(
 
 # %% [markdown]
 # The exception ended the *thread*, but not the program. The node is still on the graph, so `ros2 node list` shows it,
-# and its last message was *operational*. But no timer fires, and no callback receives a message: the node is **deaf**.
-# Even the exit code is 0. The only trace is in the log, where the traceback was printed once.
+# and its last message was *operational*. But none of the node's callbacks run anymore: no timer fires, and no message
+# is received. Even the exit code is 0. The only sign of the problem is in the log, where the traceback was printed
+# once.
 #
 # `await run(...)` spins in the notebook's own thread, so here the exception appears in your cell:
 
@@ -563,11 +569,11 @@ class Forecaster(Node):
 await run(fresh(Forecaster), seconds=10)
 
 # %% [markdown]
-# Here's how to prevent a deaf node:
+# Here's how to avoid this, or at least to notice it:
 #
 # - In a program, run `rclpy.spin(node)` in the **main thread**. An exception then ends the program with a traceback,
 #   and a service manager can restart it.
-# - If you must spin in another thread, check `thread.is_alive()` regularly, and react if it returns `False`.
+# - If you have to spin in another thread, check `thread.is_alive()` regularly, and react if it returns `False`.
 # - Have another node raise an alarm if it receives no status for 3 s.
 #
 # ### An int in a float field
@@ -582,10 +588,10 @@ await run(fresh(Forecaster), seconds=10)
 Float32(data=round(99.4))
 
 # %% [markdown]
-# ### The end on Ctrl-C
+# ### Ending on Ctrl-C
 #
-# Lesson 01 shows three ways for a program to end. A status node needs the clean one, because a service manager reads
-# its exit code. The next cell runs two endings: `COMMON`, which many examples on the web use, and `CLEAN`.
+# In lesson 01, you saw three ways to end a program. A status node must end cleanly, because a service manager reads its
+# exit code. The next cell runs two versions: `COMMON`, which many examples on the web use, and `CLEAN`.
 
 # %% id="endings"
 BEGIN = """
@@ -620,8 +626,8 @@ for name, ending in {"COMMON": COMMON, "CLEAN": CLEAN}.items():
     print(f"{name:<8} exit code {outcome.exit:>3}   {last_line}")
 
 # %% [markdown]
-# `COMMON` fails because Ctrl-C has already shut the context down, and then `rclpy.shutdown()` tries to do it again. In
-# that case, `try_shutdown()` does nothing.
+# `COMMON` fails because Ctrl-C has already shut the context down, and then `rclpy.shutdown()` tries to do it again.
+# When the context is already shut down, `try_shutdown()` does nothing.
 #
 # One caveat: on a very busy machine, Ctrl-C can shut the context down [between the check and the
 # call](https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py) inside `try_shutdown()`. Then `CLEAN` ends like
@@ -630,8 +636,8 @@ for name, ending in {"COMMON": COMMON, "CLEAN": CLEAN}.items():
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** This node reports the motors' temperature. It publishes one topic at 2 Hz, and it has type hints, a real
-# float, and a clean ending. The cell sends Ctrl-C after the first message.
+# **Worked example.** This node publishes the motors' temperature to one topic at 2 Hz. It has type hints, sends a real
+# float, and ends cleanly. The cell sends Ctrl-C after the first message.
 
 # %%
 WORKED = """
@@ -671,9 +677,9 @@ print(said(outcome).splitlines()[0])
 print("exit code", outcome.exit)
 
 # %% [markdown]
-# **Faded.** A node in the robot's foot counts steps. Every four seconds, it publishes the count to `/robot/steps` as a
-# `Float32`. Fill in the three blanks: the period, the float, and the ending. Then the cell runs the program and sends
-# Ctrl-C after the first message.
+# **Fill in the blanks.** A node in the robot's foot counts steps. Every four seconds, it publishes the count to
+# `/robot/steps` as a `Float32`. Fill in the three blanks: the period, the float, and the ending. Then the cell runs the
+# program and sends Ctrl-C after the first message.
 
 # %% id="your-step-counter"
 FADED = """
@@ -728,7 +734,7 @@ yours(
 #
 # **1. The battery is empty. What should a status node do?**
 #
-# <details><summary>a) Stop publishing, because a silent robot is an empty robot</summary>
+# <details><summary>a) Stop publishing, because silence means that the battery is empty</summary>
 #
 # ✗ Silence can also mean a crashed program or a broken network. A monitor can't tell the difference.
 #
@@ -740,7 +746,7 @@ yours(
 # </details>
 # <details><summary>c) End with a nonzero exit code</summary>
 #
-# ✗ Only a service manager on the robot reads the exit code. The topics' subscribers just receive nothing.
+# ✗ Only a service manager on the robot reads the exit code. Subscribers just stop receiving messages.
 #
 # </details>
 #
@@ -781,7 +787,7 @@ yours(
 #
 # </details>
 #
-# **4. A node publishes `started` once, with QoS `10`. Its only subscriber is running. How do you make sure it arrives?**
+# **4. A node publishes `started` once, with QoS `10`. Its only subscriber is running. How do you make sure that the message arrives?**
 #
 # <details><summary>a) Publish it right after <code>create_publisher</code>, with a depth of 100</summary>
 #
@@ -812,13 +818,14 @@ yours(
 # alarm? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# A message contains the node's state at the time of publishing. A missing message can mean a dead process, a deaf node,
-# a blocked callback, or a broken network, and these look the same from outside. A single late message shouldn't raise
-# an alarm, because timers and networks jitter. Two to three periods are a common compromise.
+# A message contains the node's state at the time of publishing. A missing message can mean a dead process, a node
+# that's no longer being spun, a blocked callback, or a broken network. From outside, a monitor can't tell these causes
+# apart. A single late message shouldn't raise an alarm, because timers and networks jitter. Waiting for two to three
+# periods is a common compromise.
 #
-# A good answer says what the robot does in the meantime (slow down, stop, sit down). It also says that the robot may
+# A good answer says what the robot does in the meantime: slow down, stop, or sit down. It also says that the robot may
 # have to stop on its own if the *robot* no longer receives messages from the monitor. Even better, it mentions that ROS
 # can detect late messages for you, through the deadline QoS policy.
 #
@@ -838,7 +845,7 @@ yours(
 # %% [markdown]
 # ## Take away
 #
-# - `create_timer` takes a period in seconds, so 0.5 Hz is 2.0.
+# - `create_timer` takes a period in seconds, so for 0.5 Hz, pass 2.0.
 # - For each topic, create a publisher, a timer, and a short callback. One thread can run many such callbacks.
 # - Put only a Python `float` into a float field. Other types lead to a wrong value or a crash, depending on the build.
 # - If a background thread spins a node, an exception stops all of the node's callbacks, but the node stays on the

@@ -11,12 +11,12 @@
 #   - choose and justify a rate for it
 #   - use the angles in a subscriber
 #   - measure how much CPU time a rate costs
-# - **Left out:** joint names inside the message (`sensor_msgs/JointState`), the connections between links (URDF), motor
-#   control
+# - **Not covered:** joint names inside the message (`sensor_msgs/JointState`), the connections between links (URDF),
+#   motor control
 
 # %% [markdown]
 # The next cell starts `lesson_nodes/joint_position_publisher.py` as a separate program. It publishes twelve angles to
-# `/robot/joint_positions`, twenty times a second. The notebook only subscribes to them.
+# `/robot/joint_positions`, twenty times a second. The notebook only subscribes to that topic.
 
 # %%
 from lesson_nodes import joint_position_publisher
@@ -61,19 +61,19 @@ await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 1.0), secon
 # In lesson 08, the node published the battery level at 0.5 Hz, one message every 2 s. Suppose we publish the *waving*
 # robot's joint angles just as slowly. A program draws the robot using the last message that arrived.
 #
-# How wrong is that drawing at worst? The elbow swings back and forth through about 1 rad (57°).
+# How far off is that drawing at worst? The elbow swings back and forth through about 1 rad (57°).
 #
-# - **a** Hardly at all: the last message is nearly true.
+# - **a** Hardly at all: the last message is nearly right.
 #   when `share_of_the_swing < 0.05`
-#   ✗ The last message was true when it was sent. Up to two seconds later the elbow is somewhere else.
+#   ✗ The last message was right when it was sent. Up to two seconds later, the elbow is somewhere else.
 # - **b** By about a tenth of the swing.
 #   when `0.05 <= share_of_the_swing < 0.5`
-#   ✗ In two seconds the elbow has time for a whole swing and more, so the error can be much larger than that.
-# - **c** It is not wrong: DDS fills in the values between two messages.
-#   ✗ DDS carries messages. It does not know what the numbers mean, and it never makes up new ones.
+#   ✗ In two seconds, the elbow has time for more than a whole swing, so the error can be much larger than that.
+# - **c** Not at all: DDS fills in the values between two messages.
+#   ✗ DDS only delivers messages. It doesn't interpret the numbers, and it never makes up new ones.
 # - **d** By nearly the whole swing.
 #   when `share_of_the_swing >= 0.5`
-#   ✓ The elbow goes from one end to the other in less time than passes between two messages.
+#   ✓ Between two messages, the elbow has time to move from one end of its swing to the other.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -128,7 +128,7 @@ reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
 # %% [markdown]
 # ## Look inside
 #
-# Here are the real elbow angle and the newest message at each moment:
+# Here's the real elbow angle, along with the angle in the newest message at each moment:
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -150,8 +150,8 @@ show(
 
 # %% [markdown]
 # Between two messages, a subscriber gets no new values, because DDS delivers messages but doesn't interpolate between
-# them. At 0.8 swings per second, the elbow can go all the way over and back within 2 s. The battery is different: it
-# drains by at most 0.5% in 2 s. So the last battery message is never wrong by more than that.
+# them. The elbow swings back and forth 0.8 times per second, so more than once in 2 s. But the battery drains by at
+# most 0.5% in 2 s, so the last battery message is never off by more than that.
 #
 # **Publish often enough that a subscriber gets every change that matters to it.**
 #
@@ -188,17 +188,18 @@ yours(right_shoulder, waving(0.25)[4], 'message.data[JOINTS.index("right_shoulde
 #
 # ### Experiment 1: 10 Hz instead of 0.5 Hz
 #
-# Now the joint publisher sends at 10 Hz. Compared with 0.5 Hz, the largest error in the last known elbow angle will be:
+# Now the joint publisher sends at 10 Hz. At 10 Hz, the largest error in the last known elbow angle, compared with 0.5
+# Hz, will be:
 #
 # - **a** less than a third
 #   when `share_of_the_error < 1 / 3`
-#   ✓ The last message is at most 0.1 s old, instead of 2 s. In that time the elbow moves only a little.
+#   ✓ The last message is at most 0.1 s old, instead of 2 s. In that time, the elbow moves only a little.
 # - **b** about half
 #   when `1 / 3 <= share_of_the_error <= 0.8`
-#   ✗ Twenty times as many messages come as before. The error shrinks by much more than half.
+#   ✗ There are twenty times as many messages, so the error shrinks by much more than half.
 # - **c** the same, because the motion is the same
 #   when `share_of_the_error > 0.8`
-#   ✗ The motion is the same, but the error grows with the time since the last message, and that is shorter now.
+#   ✗ The motion is the same, but the error grows with the time since the last message, which is shorter now.
 
 # %%
 predict("ten-hertz")
@@ -209,14 +210,14 @@ worst_of_fast = np.abs(last_known(fast) - truth).max()
 reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 
 # %% [markdown]
-# A joint can turn by a few radians per second, while the battery loses only a fraction of a percent. So the joint
-# angles must be published more often. Typically, a battery level is published every few seconds, and the joint angles
-# for a planner at 10 to 100 Hz. Motor control inside a joint runs at 1000 Hz or more, but not in Python and not over a
-# topic. The exercise asks for only 0.5 Hz, because its angles are simulated and no program uses them to control
+# A joint can turn a few radians per second, while the battery loses only a fraction of a percent. So the joint angles
+# must be published more often. Typically, a battery level is published every few seconds, but joint angles for a
+# planner are published at 10 to 100 Hz. Motor control inside a joint runs at 1000 Hz or more, but not in Python and not
+# over a topic. The exercise asks for only 0.5 Hz, because its angles are simulated and no program uses them to control
 # anything.
 #
-# **Your turn.** A knee turns at up to 3 rad/s. A safety monitor uses the last message, whose angle may be at most 0.05 rad
-# off. What's the lowest rate that's high enough?
+# **Your turn.** A knee turns at up to 3 rad/s. A safety monitor uses the angle in the last message, which may be off by
+# at most 0.05 rad. What's the lowest rate that's high enough?
 
 # %% id="your-rate"
 lowest_hz = ...  # TODO: messages per second, from 3 rad/s and 0.05 rad
@@ -227,22 +228,24 @@ yours(lowest_hz, 60.0, "In one period, the knee may turn by at most 0.05 rad.")
 # ### Experiment 2: a subscriber that uses the angles
 #
 # A node, the *hand tracker*, subscribes to the angles. It computes the left hand's height above the shoulder and
-# publishes the result. The tracker's only callback is the subscription's, which runs once per message (lesson 04).
+# publishes the result. The tracker has only one callback. It belongs to the subscription and runs once per message
+# (lesson 04).
 #
-# The robot's hand rises and falls by 13 cm, 0.8 times a second. Each second, 20 messages arrive. How large is the
-# largest step, from one height to the next?
+# The robot's hand rises and falls by 13 cm, 0.8 times a second. Each second, 20 messages arrive. What's the largest
+# step from one height to the next?
 #
 # - **a** about 0.65 cm: 13 cm in 20 messages
 #   when `largest_step_cm < 0.8`
-#   ✗ In a second the hand does more than one way of 13 cm: it goes up and down, 0.8 times.
-# - **b** about 2 cm: more than 13 cm in 12.5 messages
+#   ✗ In a second, the hand moves farther than 13 cm: it goes up and down 0.8 times.
+# - **b** about 2 cm: the hand rises 13 cm in 12.5 messages, but not evenly
 #   when `largest_step_cm >= 1.5`
-#   ✓ One way takes 0.625 s, or 12.5 messages, so 1 cm on average. Where the hand is fastest, it is about twice that.
-# - **c** about 1 cm: 13 cm in 12.5 messages
+#   ✓ The hand rises for 0.625 s, or 12.5 messages, so it averages 1 cm per message. At its fastest, it moves about
+#   twice as far.
+# - **c** about 1 cm: the hand rises 13 cm in 12.5 messages
 #   when `0.8 <= largest_step_cm < 1.5`
-#   ✗ That is the average step. The hand slows down where it turns, so it is faster in between.
-# - **d** That depends on when the callback of the tracker runs.
-#   ✗ The height is computed from the message, not from the time at which it is handled.
+#   ✗ That's the average step. The hand slows down where it reverses, so it's faster in between.
+# - **d** That depends on when the tracker's callback runs.
+#   ✗ The height depends only on the message, not on the time at which the callback runs.
 
 # %%
 predict("the-hand-tracker")
@@ -331,14 +334,14 @@ show(fig, "a hundred dots, one for each message: the waving hand goes up and dow
 #
 # - **a** about 200 times as much
 #   when `times_as_much >= 200`
-#   ✗ At 0.5 Hz much of the processor time does not go to messages. DDS works in the background at any rate.
+#   ✗ At 0.5 Hz, much of the CPU time doesn't go to messages, because DDS works in the background at any rate.
 # - **b** the same
 #   when `times_as_much <= 1`
-#   ✗ Filling, serializing and sending a message is work. At 100 Hz it is done 200 times as often.
+#   ✗ Filling, serializing, and sending a message takes CPU time. At 100 Hz, that happens 200 times as often.
 # - **c** more, but less than 200 times as much
 #   when `1 < times_as_much < 200`
-#   ✓ Each message costs a little. But the background work of DDS costs the same at any rate, and at 0.5 Hz it is a
-#   large part.
+#   ✓ Each message costs a little CPU time. But DDS's background work costs the same at any rate, and at 0.5 Hz, it's a
+#   large part of the total.
 
 # %%
 predict("a-hundred-hertz")
@@ -385,9 +388,9 @@ show(
 )
 
 # %% [markdown]
-# These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS keeps in touch
-# with other programs. The rest grows with the rate, but more slowly. On our idle machine, each message cost far less
-# CPU time at 100 Hz than at 10 Hz; we haven't measured why.
+# These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS exchanges its own
+# messages with other programs. The rest grows with the rate, but more slowly. On our idle machine, each message cost
+# far less CPU time at 100 Hz than at 10 Hz; we haven't measured why.
 #
 # So 100 Hz is affordable for *one* publisher. But every message costs CPU time in each subscriber, too, and a robot has
 # many topics. Also, while a Python node is busy with one topic, messages on its other topics have to wait (lesson 10).
@@ -417,7 +420,7 @@ Float32MultiArray(data=1.57)
 #
 # **Eleven values, degrees, or NaN.** None of these raises an exception, because ROS accepts any array of floats. Only a
 # program that *uses* the angles can detect the mistake. The next two figures should both show the left arm stretched
-# out to the side. In the first, its angle is in radians, but in the second, it was left in degrees.
+# out to the side. In the first, the shoulder angle is in radians. In the second, it's in degrees by mistake.
 
 # %%
 from workbook.lesson import robot
@@ -460,9 +463,9 @@ yours(
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** We add one more topic to lesson 08's status publisher: the head's angle, published once a second. It takes
-# three additions: a publisher, a timer, and a callback. The two old topics stay unchanged, because `super().__init__()`
-# still creates them.
+# **Worked example.** We add one more topic to lesson 08's status publisher: the head's angle, published once a second.
+# This requires three additions: a publisher, a timer, and a callback. The two old topics stay unchanged, because
+# `super().__init__()` still creates them.
 
 # %%
 from rclpy.logging import LoggingSeverity, set_logger_level
@@ -491,8 +494,8 @@ await run(looking, seconds=3.5)
 print("head angles published:", looking.looks)
 
 # %% [markdown]
-# **Faded.** Now publish the angles of the left hand's five fingers to `/robot/finger_positions`, twice a second.
-# Replace each `...` with your code. Until you do, the cell prints a reminder.
+# **Fill in the blanks.** Now publish the angles of the left hand's five fingers to `/robot/finger_positions`, twice a
+# second. Replace each `...` with your code. Until you do, the cell prints a reminder.
 
 # %%
 FINGER_PERIOD_S = ...  # TODO: seconds between two messages at 2 Hz
@@ -532,16 +535,17 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A joint moves through its whole range in 0.5 s, and a safety monitor must detect that. Which rate is suitable?**
+# **1. A joint can move through its whole range in 0.5 s, and a safety monitor must detect such a movement. Which rate is suitable?**
 #
 # <details><summary>a) 0.5 Hz, as in the exercise</summary>
 #
-# ✗ There are two seconds between messages. In that time, the joint can go there and back twice, undetected.
+# ✗ There are two seconds between messages. In that time, the joint can move through its whole range and back, twice,
+# without being detected.
 #
 # </details>
 # <details><summary>b) 20 to 100 Hz</summary>
 #
-# ✓ Each movement is covered by ten or more messages, and a single Python node can afford that.
+# ✓ Each movement is covered by ten or more messages, and a single Python node can handle that rate.
 #
 # </details>
 # <details><summary>c) As fast as the loop can run</summary>
@@ -551,11 +555,11 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # </details>
 #
-# **2. Your message contains eleven values. What detects that?**
+# **2. Your message contains eleven values. What detects the mistake?**
 #
 # <details><summary>a) rclpy, when you call publish()</summary>
 #
-# ✗ A Float32MultiArray can have any length. rclpy checks types, if it checks anything.
+# ✗ A Float32MultiArray can have any length. rclpy may check the values' types, but not how many there are.
 #
 # </details>
 # <details><summary>b) DDS, because the publisher announced twelve</summary>
@@ -565,7 +569,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # </details>
 # <details><summary>c) Only a subscriber that counts them</summary>
 #
-# ✓ So you must make sure, on both sides, that there are twelve joints in this order.
+# ✓ So both sides must make sure that there are twelve values, in the agreed order.
 #
 # </details>
 #
@@ -581,7 +585,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # ✗ rclpy accepts any float. Only a program that uses the angle can detect the mistake.
 #
 # </details>
-# <details><summary>c) 1.57: the message type knows its unit</summary>
+# <details><summary>c) 1.57: the message type specifies the unit</summary>
 #
 # ✗ A Float32MultiArray has no unit, so nothing gets converted. Publisher and subscriber have to agree on radians.
 #
@@ -591,7 +595,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # <details><summary>a) 20 a second, most of them repeated</summary>
 #
-# ✗ That would take a timer. The tracker has none, and repeats no values.
+# ✗ That would take a timer. The tracker doesn't have one, so it never repeats a value.
 #
 # </details>
 # <details><summary>b) 5 a second</summary>
@@ -618,7 +622,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # It suggests one topic at the fastest rate that's really needed. Slower subscribers sample it, using a queue depth of 1
 # or a timer that reads the last message. Three topics with the same angles can contradict each other. But every message
@@ -631,8 +635,8 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # Watch for these two pieces of advice. We tested both with this course's rclpy, and both are wrong.
 #
-# - **Fill in `layout.dim`, or no subscriber can read `data`:** The twelve numbers in `data` arrive without a layout,
-#   too, because a layout only describes them.
+# - **Fill in `layout.dim`, or no subscriber can read `data`:** The twelve numbers in `data` arrive even without a
+#   layout, because a layout only describes them.
 # - **Assign the 4 × 3 NumPy array to `data`:** The field is one-dimensional, so this raises an error. Flatten the
 #   array, and pass it to the constructor instead: `Float32MultiArray(data=angles.ravel())`. Assigning it with
 #   `message.data = angles.ravel()` raises an error here, too, because field checks (lesson 03) are on.
@@ -642,11 +646,12 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # %% [markdown]
 # ## Take away
 #
-# - `Float32MultiArray` contains any number of floats, so publisher and subscriber must agree on their order and number.
+# - A `Float32MultiArray` can contain any number of floats, so publisher and subscriber must agree on their order and
+#   number.
 # - A node that publishes one result per message needs no timer, because each message triggers its callback.
-# - Check the angles where you compute them: their number must be right, and each must be finite and in range.
+# - Check the angles where you compute them: there must be the right number, and each must be finite and in range.
 # - A message is a snapshot, and a subscriber gets nothing new until the next one arrives.
-# - So the right rate depends on how fast the value changes, and on how much of that its subscribers need to see.
+# - So the right rate depends on how fast the value changes, and on how much detail its subscribers need.
 #
 # **Before:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
 #

@@ -4,18 +4,17 @@
 # While a callback runs, the rest of its node waits. So where do you put work that takes a long time?
 #
 # - **Minutes:** 50
-# - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and the idea of a thread:
-#   a second line of execution in the same program
+# - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and a basic idea of
+#   threads: one program can run several pieces of code at the same time
 # - **You will be able to:**
 #   - explain what a slow callback does to the rest of a node
 #   - move slow work elsewhere
 #   - choose between threads, callback groups, and a queue
 #   - share data safely between two callbacks
-# - **Left out:** services (lesson 12), real-time scheduling
+# - **Not covered:** services (lesson 12), real-time scheduling
 
 # %% [markdown]
-# Here's a robot that waves. Every three seconds, the waving stops while the robot thinks about its next action. A
-# thought takes one second.
+# Here's a robot that waves. Every three seconds, it stops waving for one second to think about its next action.
 
 # %%
 from lesson_nodes import thinking_robot
@@ -26,21 +25,21 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# No line of the program stops the arm. The arm stops because the program is busy with a thought. By the end of this
-# lesson, the robot will think and wave at the same time.
+# The code doesn't contain a command to stop the arm. The arm stops because the program is busy thinking. By the end of
+# this lesson, the robot will think and wave at the same time.
 
 # %% [markdown] prediction="two-nodes"
 # ## Predict
 #
-# You know from lesson 05 that one thread serves all timers of a node. In this robot one of them is slow:
+# In lesson 05, a single thread ran all of a node's timer callbacks. In this robot, one of those callbacks is slow:
 #
 # ```python
 # self.create_timer(0.1, self.beat)         # the heartbeat, 10 Hz
 # self.create_timer(1.1, self.think)        # takes 1.0 s: a planner
 # ```
 #
-# A colleague wants to rescue the heartbeat, and moves it into a **node of its own**. Both nodes stay in one program and in
-# one executor:
+# To rescue the heartbeat, a colleague moves it into a **separate node**. Both nodes stay in one program and share one
+# executor:
 #
 # ```python
 # executor = SingleThreadedExecutor()
@@ -53,16 +52,16 @@ stop()
 #
 # - **a** Nearly all arrive: the heart is a separate node now.
 #   when `arrived >= 0.8 * due`
-#   ✗ A node is not a thread. One thread serves both nodes, and it is busy while one of them thinks.
+#   ✗ A node isn't a thread. One thread runs the callbacks of both nodes, and `think` keeps that thread busy.
 # - **b** About half: the two nodes share the time.
 #   when `due / 2 <= arrived < 0.8 * due`
-#   ✗ A thought takes 1.0 s of every 1.1 s, and the executor does not interrupt it.
-# - **c** Fewer than half, as before.
+#   ✗ `think` takes 1.0 s of every 1.1 s, and the executor can't interrupt it.
+# - **c** Fewer than half: the second node makes no difference.
 #   when `0 < arrived < due / 2`
-#   ✓ The executor has one thread for all its nodes. While it is in `think`, no other callback runs.
-# - **d** None: an executor takes one node only.
+#   ✓ The executor has one thread for all of its nodes. While that thread is in `think`, no other callback runs.
+# - **d** None: an executor accepts only one node.
 #   when `arrived == 0`
-#   ✗ An executor takes any number of nodes.
+#   ✗ An executor accepts any number of nodes.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -72,8 +71,8 @@ predict("two-nodes")
 # %% [markdown]
 # ## Run it
 #
-# `record` starts the program in its own process and notes the arrival time of each message. This recording uses the
-# wall clock, because a thought takes real time.
+# `record` starts the program in its own process and records the arrival time of each message. This recording uses the
+# wall clock, because `think` takes a second of real time.
 #
 # [the same without helpers: start, record]
 
@@ -109,7 +108,7 @@ beats, thoughts = arrivals(plain, HEARTBEAT), arrivals(plain, THOUGHT)
 print("heartbeats that came:", about(came(plain), between=FEW), "of", DUE)
 
 # %% [markdown]
-# That program had a single node. Here's the colleague's program, which has two nodes:
+# The program we just recorded has a single node. Here's the colleague's program, which has two:
 
 # %%
 # %%writefile two_nodes.py
@@ -171,7 +170,8 @@ show(
 )
 
 # %% [markdown]
-# No heartbeat arrived during the shaded times. `rclpy.spin` is a loop in **one thread**. In short, it does this:
+# No heartbeat arrived during the shaded times. `rclpy.spin` is a loop in **one thread**. In essence, the loop looks
+# like this:
 #
 # ```python
 # while rclpy.ok():
@@ -180,18 +180,19 @@ show(
 # ```
 #
 # A timer doesn't *run*. It's just an entry in a list: "due at 3.2 s". While `think` occupies the thread, the executor
-# doesn't check the list, and it doesn't take any message from a queue.
+# doesn't check the list or take messages from any queue.
 #
-# After the thought, the loop checks the list again. What does it do about the ten heartbeats that it missed?
+# When `think` returns, the loop checks the list again. What happens to the ten heartbeats that came due while `think`
+# was running?
 
 # %% id="no-burst"
 bursts = sum(beats[n + 2] - beats[n] < 0.05 for n in range(len(beats) - 2))
 print("bursts, three heartbeats or more within 0.05 s:", bursts)
 
 # %% [markdown]
-# It does nothing about them. The timer is late, so it fires once and then returns to its schedule. Missed **ticks** are
-# dropped. Missed **messages** are different, because they wait in the subscription's queue, up to its depth. The
-# executor handles them later, one by one.
+# They're dropped. The heartbeat timer is overdue, so it fires once and then returns to its schedule. It doesn't make up
+# for missed **ticks**. Missed **messages** are different, because they wait in the subscription's queue, up to its
+# depth. The executor handles them later, one by one.
 #
 # So *keep callbacks short*: store something, publish something, return. But some work takes a long time: planning a
 # path, running a neural network, or waiting for a gripper. The rest of this lesson shows where to put such work.
@@ -201,7 +202,7 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 #
 # ### Experiment 1: more threads
 #
-# rclpy has an executor with several threads. The complete `main()` looks like this:
+# rclpy also has an executor that uses several threads. Here's the complete `main()`:
 #
 # ```python
 # def main() -> None:
@@ -216,21 +217,23 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 #         rclpy.try_shutdown()
 # ```
 #
-# (The name `EventsExecutor` appears in newer texts. It's experimental: in this build of rclpy, its `spin` ran no
-# callback at all. Don't use it.)
+# (Newer documentation also mentions an `EventsExecutor`. Don't use it: it's experimental, and in this build of rclpy,
+# its `spin` didn't run any callbacks.)
 #
-# The node stays as it is. How many of the 50 heartbeats arrive now?
+# The node doesn't change. How many of the 50 heartbeats arrive now?
 #
-# - **a** Nearly all of them: one thread thinks, three are free.
+# - **a** Nearly all of them: one thread runs `think`, and the other three are free.
 #   when `arrived >= 0.8 * due`
-#   ✗ Threads are free, but both callbacks are in one group, the default one. It allows one callback at a time.
+#   ✗ Three threads are free, but both callbacks are in the node's default group, which runs only one callback at a
+#   time.
 # - **b** Twice as many as before.
 #   when `due / 2 <= arrived < 0.8 * due`
-#   ✗ The number of threads changes nothing here. Both timers are in a group that excludes them from each other.
-# - **c** As few as before.
+#   ✗ More threads make no difference here. Both callbacks are in the same group, and that group never runs two
+#   callbacks at the same time.
+# - **c** No more than with one thread.
 #   when `arrived < due / 2`
-#   ✓ All callbacks of a node share one mutually exclusive group unless you say otherwise. Three threads have nothing
-#   to do.
+#   ✓ Unless you choose another group, all of a node's callbacks share one mutually exclusive group. So three of the
+#   four threads stay idle.
 
 # %%
 predict("four-threads")
@@ -253,16 +256,15 @@ show_machine(
 )
 
 # %% [markdown]
-# Look at the wait set during the thought. A dash has replaced the heartbeat timer, because the executor doesn't even
-# check that timer.
+# Look at the wait set while `think` is running. Where the heartbeat timer was, there's now a dash, because the executor
+# doesn't even check that timer.
 #
-# There are four threads, and three of them are idle. The reason is that each callback belongs to a **callback group**.
-# If you don't choose one, the callback joins its node's default group. That group is *mutually exclusive*: it runs only
-# one of its callbacks at a time, however many threads there are. So by default, callbacks of the same node never run at
-# the same time. You have to *say* which ones may run in parallel.
+# Three of the four threads are idle. That's because each callback belongs to a **callback group**. Unless you choose
+# another, it's the node's default group. This group is *mutually exclusive*: only one of its callbacks runs at a time,
+# no matter how many threads there are. So unless you *explicitly* allow it, a node's callbacks never run in parallel.
 
 # %% [markdown] prediction="own-group"
-# ### Experiment 2: a group of its own
+# ### Experiment 2: a separate group
 #
 # ```python
 # from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -272,17 +274,21 @@ show_machine(
 #         self.create_timer(1.1, self.think, callback_group=thinking)
 # ```
 #
-# Now `beat` is in the default group, and `think` is alone in another one. Which program keeps its heartbeat?
+# With these lines, `beat` is in the default group, and `think` is alone in another group. We run four programs, one for
+# each combination: with or without this separate group, and with one thread or four. Which of them have a steady
+# heartbeat?
 #
-# - **a** Only the one with this line and several threads.
+# - **a** Only the program with the separate group and four threads.
 #   when `one_thread < 0.6 * due and four_threads >= 0.6 * due`
-#   ✓ The group permits both at the same time, and a second thread makes it happen. It takes both.
-# - **b** None: thinking still takes a second.
+#   ✓ The separate group permits both callbacks to run at the same time, and a second thread makes that possible.
+#   Neither is enough by itself.
+# - **b** None of them: thinking still takes a second.
 #   when `one_thread < 0.6 * due and four_threads < 0.6 * due`
-#   ✗ The thought does take a second, but with a group of its own and a second thread it no longer holds up the beat.
-# - **c** With this line, any: one thread is enough, since the groups are separate.
+#   ✗ It does, but with a separate group and a second thread, the heartbeat no longer waits for `think`.
+# - **c** Both programs with the separate group: one thread is enough.
 #   when `one_thread >= 0.6 * due`
-#   ✗ A group is a permission, not a thread. With one thread, the beat still waits for the thought.
+#   ✗ A group gives permission, but it doesn't add a thread. With one thread, the heartbeat still waits until `think`
+#   returns.
 
 # %%
 predict("own-group")
@@ -330,8 +336,9 @@ show_machine(
 )
 
 # %% [markdown]
-# Threads make it *possible* to run two callbacks at the same time, and groups *permit* it. You need both. Here are both
-# recordings, side by side. Each robot moves a little whenever one of its heartbeats arrives:
+# Threads make it *possible* to run two callbacks at the same time, and groups *permit* it. You need both. Here are two
+# recordings side by side: one without extra threads or a separate group, and one with both. Each robot moves a little
+# whenever one of its heartbeats arrives:
 
 # %%
 from workbook.pictures.moving import by_name, robots
@@ -347,8 +354,8 @@ robots(
 )
 
 # %% [markdown]
-# **Your turn.** Here's a smaller robot with the same two timers. Give `think` a group of its own, and the executor
-# enough threads. The cell counts how often the heart pauses for more than half a second.
+# **Your turn.** Here's a smaller robot with the same two timers. Put `think` into a separate group, and give the
+# executor enough threads. The cell counts how often the heart pauses for more than half a second.
 #
 # [the same without helpers: init, fresh]
 
@@ -406,7 +413,7 @@ await knob(thinking_robot, "threads", 1, between=(1, 4), seconds=8, **settings)
 # %% [markdown]
 # ### Experiment 3: two threads, one number
 #
-# There's a second kind of group. In a **reentrant** group, all callbacks may run in parallel. Even two calls of the
+# There's a second kind of group. In a **reentrant** group, all callbacks may run in parallel, and even two calls to the
 # same callback may overlap.
 #
 # A robot counts its steps. Each foot has a timer, and both timer callbacks add to the same number:
@@ -430,17 +437,19 @@ class StepCounter(Node):
 
 
 # %% [markdown] prediction="the-steps"
-# In two seconds `on_step` is called about 400 times. With four threads and a reentrant group, what will `steps` be?
+# In two seconds, `on_step` is called about 400 times. With four threads and a reentrant group, what's the value of
+# `steps` at the end?
 #
-# - **a** The number of calls: Python has a lock of its own, the GIL, so nothing can go wrong.
+# - **a** The number of calls: Python's own lock, the GIL, prevents errors.
 #   when `0.9 * calls <= steps <= calls`
-#   ✗ The GIL lets one thread run at a time, but it may change threads between reading `steps` and writing it.
-# - **b** Much less than the number of calls.
+#   ✗ The GIL lets only one thread run at a time. But Python may switch threads after one thread has read `steps` and
+#   before it writes the new value.
+# - **b** Far less than the number of calls.
 #   when `steps < 0.9 * calls`
-#   ✓ Two threads read the same number, both add one, and both write the same result. One step is lost.
+#   ✓ If two threads read the same number, both add one and write the same result. So one step is lost.
 # - **c** More than the number of calls.
 #   when `steps > calls`
-#   ✗ Each call adds one at most. Steps can be lost, but none can be invented.
+#   ✗ Each call adds at most one, so steps can get lost, but no extra ones can appear.
 
 # %%
 predict("the-steps")
@@ -460,13 +469,14 @@ for name, counter in (("reentrant", free), ("mutually exclusive", single)):
 reveal("the-steps", steps=free.steps, calls=len(free.called))
 
 # %% [markdown]
-# Both threads read 41, both add one, and both write 42, so one step is lost. This is a **race**: the result depends on
-# the order in which the threads happen to run. No error appears, and a short test may never reveal the race.
+# Suppose two threads both read 41. Both add one, and both write 42, so one step is lost. This is a **race**: the result
+# depends on the order in which the threads happen to run. No exception is raised, and a short test may never reveal the
+# race.
 #
 # Python's own lock, the GIL, doesn't protect *your* three lines, because Python may switch threads between any two of
-# them. But you can make a lock of your own, which only one thread at a time can hold.
+# them. But you can create your own lock, which only one thread can hold at a time.
 #
-# **Your turn.** Make the reentrant counter safe. The class below puts the three lines into `with lock:`.
+# **Your turn.** Make the reentrant counter safe. The class below wraps the three lines in a `with lock:` block.
 
 # %% id="your-lock"
 import threading
@@ -492,7 +502,7 @@ yours(lost, 0, "threading.Lock()")
 # %% [markdown]
 # Here are the rules for shared data:
 #
-# - Put callbacks that share data into **one** mutually exclusive group. Within that group, you need no locks.
+# - Put callbacks that share data into **one** mutually exclusive group. Then you don't need a lock.
 # - If callbacks in two groups have to share data, protect the data with a lock (`with self.lock:`), or pass it through
 #   a `queue.Queue`.
 # - Use a reentrant group only for callbacks that share nothing.
@@ -500,12 +510,16 @@ yours(lost, 0, "threading.Lock()")
 # %% [markdown]
 # ## When it goes wrong
 #
-# **More threads, but no more speed.** While a planner *waits* for a sensor or another program, the processor is free.
-# While a planner *computes*, the processor is busy. Let's run four callbacks in four threads. First they wait, and then
-# they compute in Python:
+# **More threads, but no speedup.** While a planner *waits* for a sensor or another program, the processor is free for
+# other work. While it *computes*, the processor is busy. Let's run four callbacks, in one thread and in four. First,
+# all of them wait. Then, all of them compute in Python:
 
 
 # %%
+import itertools
+from collections import Counter
+
+
 class Planner(Node):
     """Plans in four callbacks at once, if the executor has the threads."""
 
@@ -530,15 +544,16 @@ def compute() -> None:
     sum(n * n for n in range(100_000))
 
 
-done = {}
-for job in (wait, compute):
-    for threads in (1, 4):
+done = Counter()
+for _ in range(4):  # by turns, so that a busy moment slows all of them down
+    for job, threads in itertools.product((wait, compute), (1, 4)):
         planner = fresh(Planner, f"{job.__name__}_{threads}", job)
         if threads == 1:
-            spin_with(SingleThreadedExecutor(), planner, 2.0)
+            executor = SingleThreadedExecutor()
         else:
-            spin_with(MultiThreadedExecutor(num_threads=threads), planner, 2.0)
-        done[job.__name__, threads] = len(planner.plans)
+            executor = MultiThreadedExecutor(num_threads=threads)
+        spin_with(executor, planner, 0.5)
+        done[job.__name__, threads] += len(planner.plans)
 
 # %% id="computing"
 for (name, threads), plans in done.items():
@@ -549,12 +564,12 @@ for name, usual in (("wait", (2, 4.5)), ("compute", (0.2, 2))):
     print(f"{name}: four threads make {times} the plans of one")
 
 # %% [markdown]
-# Because of the GIL, only one thread at a time can run Python code. So waiting overlaps, but computing doesn't. If a
-# computation must not disturb the heartbeat, run it in **another process**. (NumPy and most AI libraries release the
-# GIL while they compute, so measure before you choose.)
+# Because of the GIL, only one thread at a time can run Python code. So four threads can wait at the same time, but they
+# can't compute at the same time. If a computation must not delay the heartbeat, run it in **another process**. (NumPy
+# and most AI libraries release the GIL while they compute, so measure before you choose.)
 #
-# **Exceptions in a thread pool go unreported.** You can also give slow work to your own thread or to a thread pool.
-# Then the callback only hands over the work. In this program, every plan fails:
+# **Exceptions in a thread pool go unreported.** A callback can also hand slow work over to a separate thread or to a
+# thread pool. In this program, every plan fails:
 
 # %%
 from workbook.lesson import run_program
@@ -608,9 +623,9 @@ print("plans made:", planned)
 print("errors in the log:", outcome.log.count("RuntimeError"))
 
 # %% [markdown]
-# There's no plan, no error message, and no traceback, but the heartbeat is perfect. The pool stores the exception in
+# There's no plan, no error message, and no traceback, yet the heartbeat is perfect. The pool stores the exception in
 # the *future* that `submit` returns, and the program never reads that future. With a `threading.Thread`, you'd get a
-# traceback. But the exception would end the thread, as in [lesson 08](08_humanoid_status_publisher.ipynb).
+# traceback. But the exception would also end the thread, as in [lesson 08](08_humanoid_status_publisher.ipynb).
 #
 # Handle exceptions in the thread that does the work:
 
@@ -631,13 +646,14 @@ print(failures[0])
 print("failures logged:", about(len(failures), between=(2, 6), digits=1))
 
 # %% [markdown]
-# A heartbeat only proves that its own timer runs. So publish `alive` only while the planner works.
+# A heartbeat proves only that its own timer is running. To make it a sign of the planner's health, too, publish `alive`
+# only while the planner is working properly.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A guide robot plans a path on request. The solution has two parts: a group for the slow callback, and an
-# executor with two threads. Nothing is shared except a list that only one callback writes to.
+# **Worked example.** A guide robot plans a path on request. The solution has two parts: a group for the slow callback
+# and an executor with two threads. The callbacks share only a list, and only one of them writes to it.
 
 # %%
 from std_msgs.msg import String
@@ -678,12 +694,12 @@ print("paths:", guide.paths)
 print("heartbeats in 4 s:", about(guide.beats, between=(20, 42)))
 
 # %% [markdown]
-# One thread would have had time for just 16 of the heartbeats. Three requests arrived at the same time. Two of them
-# waited in the subscription's queue, and the robot planned them in order. The *mutually exclusive* group guarantees
-# that order.
+# With one thread, only about 20 of the 40 heartbeats would have been published. Three requests arrived at the same
+# time. Two of them waited in the subscription's queue, and the robot planned all three in order. The *mutually
+# exclusive* group guarantees that order.
 #
-# **Faded.** This version uses a queue and its own worker thread. The callbacks only hand over work, so the node needs
-# only *one* thread for them, and a plain `run` is enough. Replace each `...` with your code.
+# **Fill in the blanks.** This version uses a queue and its own worker thread. The callbacks just hand over the work, so
+# *one* thread is enough for them, and a plain `run` will do. Replace each `...` with your code.
 #
 # [the same without helpers: run]
 
@@ -732,7 +748,8 @@ yours(
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb), a humanoid's heartbeat stops whenever the robot
-# plans an arm movement. The judge watches two things from outside: the heartbeats, and whether each plan is correct.
+# plans an arm movement. The judge checks two things from outside the program: that the heartbeats keep coming and that
+# each plan is correct.
 
 # %% [markdown]
 # ## Check yourself
@@ -751,7 +768,7 @@ yours(
 # </details>
 # <details><summary>c) A traceback, and no further plan, because the pool's thread has ended</summary>
 #
-# ✗ A `threading.Thread` ends like that. A pool stores the exception, and its thread takes the next task.
+# ✗ That's what happens with a `threading.Thread`. A pool stores the exception, and its thread takes the next task.
 #
 # </details>
 #
@@ -764,7 +781,7 @@ yours(
 # </details>
 # <details><summary>b) Up to eight at the same time</summary>
 #
-# ✗ They'd need permission to do that: separate groups, or a reentrant group.
+# ✗ That requires permission: separate groups, or a reentrant group.
 #
 # </details>
 # <details><summary>c) One at a time, as with <code>rclpy.spin</code></summary>
@@ -777,7 +794,7 @@ yours(
 #
 # <details><summary>a) Yes: the GIL lets only one thread run Python code</summary>
 #
-# ✗ Only one thread runs at a time, but no rule forbids Python to switch threads between the read and the write.
+# ✗ Only one thread runs at a time, but Python may switch threads between the read and the write.
 #
 # </details>
 # <details><summary>b) No: put both into one group, or protect the line with a lock</summary>
@@ -787,16 +804,16 @@ yours(
 # </details>
 # <details><summary>c) Yes: both groups are mutually exclusive</summary>
 #
-# ✗ A group keeps only its own callbacks apart, and these two callbacks are in different groups.
+# ✗ A mutually exclusive group keeps only its own callbacks from overlapping, and these two are in different groups.
 #
 # </details>
 #
-# **4. `on_goal` (0.8 s) is alone in a mutually exclusive group, and the executor has four threads. Three goals arrive. What happens?**
+# **4. `on_goal` takes 0.8 s and is alone in a mutually exclusive group. The executor has four threads. Three goals arrive. What happens?**
 #
 # <details><summary>a) Three threads plan them at the same time</summary>
 #
-# ✗ That would take a reentrant group. A mutually exclusive group runs one call at a time, even if all calls are to the
-# same callback.
+# ✗ That would require a reentrant group. A mutually exclusive group runs one call at a time, even if all calls are to
+# the same callback.
 #
 # </details>
 # <details><summary>b) The first goal is planned, and the other two are lost</summary>
@@ -824,15 +841,15 @@ yours(
 # that are waiting? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# *Group and threads:* Goals wait in the subscription's queue, and beyond its depth, the oldest ones are lost. The goals
-# stay in order as long as the group is mutually exclusive. An exception leaves `spin` and ends the program. *Queue and
-# worker:* The queue can grow long, so the robot may still be planning for goals that are a minute old. The worker must
-# handle exceptions, or no further plans are made. *Process:* The heartbeat survives even a planner crash, but another
-# program has to detect the crash and restart the planner. A good answer asks whether an old goal is worth planning at
-# all. Often only the newest goal counts, so a depth of 1 is right. A good answer doesn't propose a reentrant group,
-# because two plans would share one planner.
+# *Group and threads:* Goals wait in the subscription's queue, and once it's full, the oldest ones are lost. The goals
+# stay in order as long as the group is mutually exclusive. An exception propagates out of `spin` and ends the program.
+# *Queue and worker:* The queue can grow long, so the robot may still be planning for goals that are a minute old. The
+# worker must handle exceptions, or no further plans are made. *Process:* The heartbeat survives even a planner crash,
+# but another program has to detect the crash and restart the planner. A good answer asks whether an old goal is worth
+# planning at all. Often, only the newest goal counts. In that case, use a depth of 1. A good answer doesn't propose a
+# reentrant group, because two calls would then use the same planner at the same time.
 #
 # </details>
 #
@@ -854,12 +871,13 @@ yours(
 # - A `MultiThreadedExecutor` alone changes nothing. Slow work needs its own callback group **and** a second thread.
 # - Put callbacks that share data into one mutually exclusive group, or protect the data with a lock, or pass it through
 #   a queue.
-# - Python threads overlap waiting, not computing. Heavy computing belongs in its own process.
+# - Python threads can wait at the same time, but they can't compute at the same time. Put heavy computation into a
+#   separate process.
 # - Handle exceptions in the thread that does the work.
 #
 # **Before:** [09 · The joint positions](09_joint_positions.ipynb)
 #
-# **Next:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb): what if you used a loop that polls?
+# **Next:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb): what if you polled in a loop instead?
 #
 # **More:** [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html) and [About
 # executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

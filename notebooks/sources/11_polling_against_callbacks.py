@@ -9,13 +9,15 @@
 # - **You will be able to:**
 #   - recognize polling and callbacks in a program
 #   - compare them by latency, missed messages, and processor time
-#   - turn a loop that polls into callbacks
-# - **Left out:** which queue depth suits which data (lesson 13), real-time systems
+#   - replace a polling loop with callbacks
+# - **Not covered:** choosing a queue depth (lesson 13), and real-time systems
 
 # %% [markdown]
-# **Polling** means checking again and again whether something has happened. With a **callback**, rclpy calls your code
-# when it happens. This robot uses both. A touch sensor in the skin of its hand numbers each touch and publishes the
-# number. Two monitors report the touches: one polls, and the other has a callback.
+# **Polling** means checking again and again whether something has happened. With a **callback**, your code doesn't have
+# to check: rclpy calls it when a message arrives.
+#
+# This robot does both. The sensor in its hand numbers each touch and publishes the number. Two monitors report the
+# touches: one polls, and the other uses a callback.
 
 # %%
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
@@ -32,7 +34,7 @@ stop()
 # %% [markdown] prediction="the-touches"
 # ## Predict
 #
-# Many beginners ask why a loop is not enough. Here are both monitors in short:
+# Many beginners ask why they can't just write a loop. Here are both monitors, shortened:
 #
 # ```python
 # # A: a loop that polls                         # B: a callback
@@ -47,20 +49,21 @@ stop()
 #     time.sleep(0.05)
 # ```
 #
-# In A a second thread spins the node, so `keep` is called for each touch. The loop itself only polls.
+# In A, a second thread spins the node, so rclpy calls `keep` for each touch. The loop itself only polls.
 #
-# The hand closes around things: there are pauses, and then several touches in one moment. In about five seconds there are
-# 120 touches, and A polls about 100 times. How many of the 120 touches does A report?
+# The hand grips one object after another, so the touches come in bunches. After each pause, up to six arrive at almost
+# the same moment. In about five seconds, there are 120 touches, and A polls about 100 times. How many of the 120
+# touches does A report?
 #
 # - **a** Fewer than half.
 #   when `reported < sent / 2`
-#   ✓ The touches come in bunches, and of each bunch the loop finds only the last touch. The others are overwritten.
-# - **b** About 100: one with each poll.
+#   ✓ The loop finds only the last touch of each bunch, because each touch overwrites the one before it.
+# - **b** About 100: one per poll.
 #   when `sent / 2 <= reported < sent`
-#   ✗ The loop does poll about 100 times. But most polls fall into a pause and find nothing new.
+#   ✗ The loop does poll about 100 times. But most polls fall into a pause, so they find nothing new.
 # - **c** All 120, some of them a little late.
 #   when `reported == sent`
-#   ✗ `monitor.last` has room for one touch. Of several that come between two polls, only the last one is left.
+#   ✗ `monitor.last` stores only one touch. If several touches arrive between two polls, only the last one is left.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -70,9 +73,9 @@ predict("the-touches")
 # %% [markdown]
 # ## Run it
 #
-# A referee node subscribes to all three topics. Each message carries the time at which it was sent. A callback with a
-# second argument receives that time, too. So the referee can compute the delay of each report, however busy the referee
-# itself is.
+# A referee node subscribes to the touches and to both monitors' reports. Each message carries the time at which it was
+# sent. If a callback takes a second argument, rclpy passes it that time, too. So the referee can compute each report's
+# delay, no matter how busy the referee itself is.
 #
 # [the same without helpers: start, init, fresh, run]
 
@@ -150,7 +153,7 @@ print("typical delay by callback:", typical(first, "callback", (0.1, 20)))
 # %% [markdown]
 # ## Look inside
 #
-# Here are the first touches. Touches that occurred at the same moment are drawn one above the other.
+# The next plot shows the first 1.5 seconds. Touches in the same bunch are drawn one above the other.
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -186,11 +189,12 @@ show(
 )
 
 # %% [markdown]
-# A cross marks a touch that the monitor didn't report. The polling monitor stores only *the last* touch. If five
-# touches occur between two polls, `monitor.last` contains the fifth. So each poll finds at most one touch.
+# A cross marks a touch that the monitor didn't report. The polling monitor stores only *the last* touch: if five arrive
+# between two polls, `monitor.last` contains the fifth. So each poll finds at most one touch, and it finds that touch
+# late.
 #
-# The poll also finds that touch late. The time from an event to the reaction is called **latency**. The next plot has a
-# logarithmic axis: each step multiplies the value by ten.
+# The time from an event to the reaction is called **latency**. The next plot shows each report's latency on a
+# logarithmic axis: 1 to 10 ms takes up as much space as 10 to 100 ms.
 
 # %%
 import numpy as np
@@ -213,11 +217,12 @@ show(
 )
 
 # %% [markdown]
-# With polling, a touch waits for the next poll: half the sleep, on average. With a callback, it doesn't have to wait.
-# The executor sleeps *in the operating system*, and the operating system wakes it when a message arrives.
+# With polling, nothing happens until the next poll, so the average wait is half the sleep time. With a callback,
+# there's no such wait. The executor's thread sleeps *in the operating system*, which wakes the thread as soon as a
+# message arrives.
 #
-# What does this mean for the egg? The next film uses each monitor's typical latency from this run. The fingers close at
-# 100 mm/s and stop when the touch is reported. If they squeeze the shell by more than 2 mm, it breaks.
+# What does this mean for the egg? The next animation uses each monitor's typical latency from this run. The fingers
+# close at 100 mm/s and stop when the touch is reported. If they squeeze the shell by more than 2 mm, it breaks.
 
 # %%
 from workbook.pictures.egg import squeeze
@@ -232,8 +237,8 @@ squeeze(
 )
 
 # %% [markdown]
-# **Your turn.** Suppose that you have to poll. How long may the loop sleep at most, if no egg may break even in the worst
-# case? Leave out the millisecond that the message takes.
+# **Your turn.** Suppose that you have to poll. What's the longest sleep that never breaks an egg, even in the worst
+# case? Ignore the millisecond that the message takes to arrive.
 
 # %% id="your-sleep"
 from workbook.lesson import yours
@@ -247,18 +252,18 @@ yours(longest_sleep_s, 0.02, "In the worst case, a touch waits for the whole sle
 #
 # ### Experiment 1: poll more often
 #
-# Let the loop sleep for 5 ms instead of 50. What happens?
+# Let the loop sleep for 5 ms instead of 50 ms. How do its reports change?
 #
-# - **a** Quick now, and nothing is missed any more.
+# - **a** They come sooner, and no touch is missed.
 #   when `times_as_late < 0.5 and reported >= sent * 2 / 3`
-#   ✗ It is quicker. But the touches of a bunch still overwrite each other before the next poll.
-# - **b** Quick now, but most touches are missed all the same.
+#   ✗ They do come sooner. But the touches in a bunch still overwrite each other before the next poll.
+# - **b** They come sooner, but most touches are still missed.
 #   when `times_as_late < 0.5 and reported < sent * 2 / 3`
-#   ✓ Less time passes until the next poll. But there is still room for one touch only, and a bunch is over within a
-#   moment.
-# - **c** As slow as before, but nothing is missed.
+#   ✓ The next poll comes sooner. But `monitor.last` still stores only one touch, and a bunch is usually over before the
+#   next poll.
+# - **c** They come as late as before, but no touch is missed.
 #   when `times_as_late >= 0.5`
-#   ✗ A touch waits until the loop polls again. With a shorter sleep that is sooner.
+#   ✗ A touch waits only until the next poll. With a shorter sleep, the next poll comes sooner.
 
 # %%
 predict("looking-more-often")
@@ -283,10 +288,10 @@ reveal(
 )
 
 # %% [markdown]
-# The loop polls ten times as often, but it still misses most touches. The touches of a bunch are less than a
-# millisecond apart. As long as there's room for only one touch, no sleep is short enough.
+# The loop polls ten times as often, but it still misses most touches, because touches in a bunch are less than a
+# millisecond apart. As long as the monitor stores only one touch, no sleep is short enough.
 #
-# **Your turn.** Write the callback that doesn't miss any. We call it three times, as the executor would.
+# **Your turn.** Write a callback that doesn't miss any touches. The cell calls it three times, as the executor would.
 
 # %% id="your-callback"
 reported = []
@@ -306,20 +311,21 @@ for number in (1, 2, 3):
 yours(reported or ..., [1, 2, 3], "report(message.data)")
 
 # %% [markdown] prediction="no-sleep"
-# ### Experiment 2: do not sleep at all
+# ### Experiment 2: no sleep at all
 #
-# Now the loop has no sleep: `while rclpy.ok(): monitor.look()`. You know from lesson 06 that such a loop keeps a processor
-# busy. But is it quick? Compared with the callback, its reports come
+# Now the loop doesn't sleep: `while rclpy.ok(): monitor.look()`. You know from lesson 06 that such a loop keeps a
+# processor busy. But is it fast? When do the loop's reports come, compared with the callback's?
 #
-# - **a** sooner: the loop polls a million times a second, and a callback has to be woken;
+# - **a** Sooner: the loop polls a million times a second, but the callback's thread has to be woken first.
 #   when `times_as_late < 0.8`
-#   ✗ The loop holds Python's lock, the GIL, and the thread that receives has to wait for it.
-# - **b** at about the same time;
+#   ✗ The loop holds Python's lock, the GIL, so the thread that receives messages has to wait.
+# - **b** At about the same time.
 #   when `0.8 <= times_as_late <= 1.2`
-#   ✗ Both need the thread that receives. Beside a loop without a sleep, that thread gets its turns late.
-# - **c** later.
+#   ✗ Both monitors need a thread that receives messages. In the polling monitor, that thread has to wait for a loop
+#   that never sleeps.
+# - **c** Later.
 #   when `times_as_late > 1.2`
-#   ✓ The loop keeps the GIL from the thread that receives, so the touch itself comes in later.
+#   ✓ The loop holds the GIL, so the thread that receives messages has to wait, and each touch reaches the loop later.
 
 # %%
 predict("no-sleep")
@@ -365,27 +371,28 @@ idle = about(used["by callback"], "s", between=(0, 0.5))
 print("the callback takes", idle)
 
 # %% [markdown]
-# The loop polls without a pause, but it's *slower* than the callback, which sleeps until it's woken. The loop holds
-# Python's lock, the GIL, so the receiving thread has to wait. Each of that thread's turns comes a few milliseconds
-# late.
+# The loop never pauses, yet it's *slower* than the callback, whose thread sleeps until a message wakes it. The reason
+# is Python's lock, the GIL. While the loop holds it, the receiving thread can't run. So each time a message arrives,
+# that thread starts a few milliseconds late.
 #
-# Processor time also drains the battery, which shortens the time that the robot can walk.
+# A busy processor also drains the battery, so the robot can't walk for as long.
 
 # %% [markdown] prediction="a-queue-for-the-loop"
 # ### Experiment 3: a queue for the loop
 #
-# Instead of `monitor.last = …`, the monitor now has a queue, which each poll empties. The sleep is 50 ms again. Now polling
-# is
+# Instead of overwriting `monitor.last`, the callback now adds each touch to a queue, and each poll empties that queue.
+# The sleep is 50 ms again. How good are the reports now?
 #
-# - **a** complete, but late;
+# - **a** Complete, but late.
 #   when `is_complete and late_ms >= 10`
-#   ✓ The queue keeps every touch. The loop finds them with its next poll, up to 50 ms later.
-# - **b** as good as the callback;
+#   ✓ The queue keeps every touch. But the loop reports them only at the next poll, up to 50 ms later.
+# - **b** As good as the callback's.
 #   when `is_complete and late_ms < 10`
-#   ✗ Nothing is missed any more. But each touch still waits in the queue until the loop wakes up.
-# - **c** quick, but not complete.
+#   ✗ No touch is missed now. But each one still waits in the queue until the loop wakes up.
+# - **c** Fast, but incomplete.
 #   when `not is_complete`
-#   ✗ The queue has room for all touches that come between two polls. The delay comes from the sleep.
+#   ✗ The queue has room for all the touches between two polls. But the reports aren't fast, because the loop still
+#   sleeps.
 
 # %%
 predict("a-queue-for-the-loop")
@@ -400,17 +407,18 @@ print("typical delay:", typical(patient, "polling", (10, 100)))
 reveal("a-queue-for-the-loop", is_complete=is_complete, late_ms=late_ms)
 
 # %% [markdown]
-# The loop no longer loses any touches. But you've built by hand what a subscription already provides. A subscription
-# has a queue, and an idle executor runs your callback as soon as a message is in that queue. The loop only adds a delay.
+# The loop no longer loses any touches. But every subscription already has a queue, so the second one is redundant. As
+# soon as a message enters the subscription's queue, an idle executor runs your callback. The loop only adds a delay.
 #
 # **When polling is right.** A controller that steers five times a second doesn't need every distance that the sensor
-# sends. It needs the *newest* distance at *its own* times. So a callback stores the last value, and a **timer** reads
-# it.
+# publishes. It needs the *newest* distance, on *its own* schedule. So a callback stores the last value, and a **timer**
+# reads it.
 #
-# Ask of each message: is it an **event** (a touch, a button, an alarm)? Or is it a **state**, of which only the newest
-# value counts (a distance, a temperature)? React to an event in the callback. Read a state with a timer.
+# For each message, first decide whether it's an event or a state. Every **event** matters: a touch, a button press, an
+# alarm. With a **state**, such as a distance or a temperature, only the newest value matters. React to an event in the
+# callback, but read a state with a timer.
 #
-# **Your turn.** Sort these four messages: write `"event"` or `"state"` for each.
+# **Your turn.** Is each of these four messages an event or a state? Write `"event"` or `"state"`.
 
 # %% id="your-kinds"
 kinds = {
@@ -426,8 +434,8 @@ yours(kinds, right, "Would it matter if the robot missed one of two such message
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A loop that spins without waiting.** With `timeout_sec=0`, `spin_once` doesn't wait (lesson 06). This program counts
-# the loop's iterations, first with a timeout of 0 and then with 0.1:
+# **A loop that spins without waiting.** With `timeout_sec=0`, `spin_once` doesn't wait (lesson 06). The next program
+# counts its loop's iterations, first with a timeout of 0 and then with 0.1 s:
 
 # %%
 from workbook.lesson import run_program
@@ -464,12 +472,12 @@ for timeout, rounds, processor in (greedy, calm):
     print(f"timeout_sec={timeout}: {iterations} for 15 ticks, {cost}")
 
 # %% [markdown]
-# `timeout_sec=0` is right where some other code already waits, such as the event loop of a window. In your own loop,
-# use 0.1, for example. `spin_once` returns earlier if there's something to do. If you use `rclpy.spin(node)`, you don't
-# need a loop at all.
+# `timeout_sec=0` is right if other code already does the waiting, such as a GUI's event loop. In your own loop, use a
+# longer timeout, such as 0.1 s. `spin_once` still returns early if there's something to do. With `rclpy.spin(node)`,
+# you don't need a loop at all.
 #
-# **A loop that sleeps forever.** ROS provides a sleep for loops that run at a fixed rate, and many old examples use it.
-# What does this program print?
+# **A loop that sleeps forever.** For loops that run at a fixed rate, ROS provides `rate.sleep()`, and many old examples
+# use it. What does this program print?
 
 # %% id="rate"
 RATE = """
@@ -490,16 +498,18 @@ print("looks:", outcome.log.count("look "))
 print("ended by:", "the watchdog" if outcome.ended_by == "judge" else "itself")
 
 # %% [markdown]
-# The loop never got past its first sleep, but there's no error. `rate.sleep()` waits for one of the node's *timers*.
-# Timers fire only while a thread spins the node, and the only thread is asleep. The watchdog had to end the program.
+# The loop never got past its first sleep, but there was no error. `rate.sleep()` waits for one of the node's *timers*.
+# But timers fire only while a thread spins the node, and the only thread was asleep. After four seconds without output,
+# the watchdog (lesson 06) ended the program.
 #
-# A rate works if *another thread* spins the node. But one line has the same effect without threads:
+# `rate.sleep()` works if *another thread* spins the node. But a timer does the same job without a second thread:
 # `node.create_timer(0.1, look)`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A walking robot's loop polls two things. Which of them is an event, and which is a state?
+# **Worked example.** A walking robot's loop polls a stop button and a distance. Which one is an event, and which is a
+# state?
 #
 # ```python
 # while rclpy.ok():
@@ -510,8 +520,8 @@ print("ended by:", "the watchdog" if outcome.ended_by == "judge" else "itself")
 #     time.sleep(0.2)
 # ```
 #
-# The button is an event, so its callback acts. The distance is a state, so its callback stores the value, and a timer
-# reads it.
+# A button press is an event, so the callback handles it right away. The distance is a state, so the callback stores the
+# value, and a timer reads it.
 
 # %%
 from std_msgs.msg import Float32, String
@@ -561,12 +571,13 @@ print("stops:", walker.stops)
 print("steers by:", walker.steered_by[-1])
 
 # %% [markdown]
-# A stored value doesn't show its age. If the sensor stops, this robot steers by the last value forever. So store the
-# time along with the value, and stop the robot when the value is too old (lesson 13).
+# A stored value doesn't show its age. If the sensor goes silent, this robot steers by the last distance forever. So
+# store the time along with the value, and stop the robot when the value is too old (lesson 13).
 
 # %% [markdown]
-# **Faded.** This reception robot polls a call button. If two visitors press it during the same sleep, the robot fails
-# to greet one of them. Replace the polling with a callback that acts. Two places are marked TODO.
+# **Fill in the blanks.** This reception robot polls a call button. If two visitors press the button during the same
+# sleep, the robot greets only one of them. Replace the polling with a callback that greets each visitor. The two places
+# are marked TODO.
 
 
 # %%
@@ -602,17 +613,17 @@ for _ in range(3):
 yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/11_polling_against_callbacks.ipynb), you get a monitor that polls. Turn
-# it into a monitor that reports every touch without delay.
+# **Your own.** In the [exercise](../exercises/11_polling_against_callbacks.ipynb), you get a monitor that polls.
+# Rewrite it so that it reports every touch right away.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A loop sleeps for 0.2 s between two polls. How late does it notice an event, on average?**
+# **1. A loop sleeps for 0.2 s between two polls. On average, how long does it take to notice an event?**
 #
 # <details><summary>a) About 0.1 s</summary>
 #
-# ✓ The delay is anything from 0 to 0.2 s, so the average is half of that. And that's only for the events that it
+# ✓ The delay is anything from 0 to 0.2 s, so the average is 0.1 s. This average covers only the events that the loop
 # notices at all.
 #
 # </details>
@@ -623,26 +634,26 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # </details>
 # <details><summary>c) It depends on how often events occur</summary>
 #
-# ✗ The number of *missed* events depends on that. For the others, the delay depends on the sleep.
+# ✗ The number of *missed* events depends on that. For all other events, the delay depends on the sleep.
 #
 # </details>
 #
-# **2. A callback stores `self.last`, and a loop polls it every millisecond. Can the loop miss a message?**
+# **2. A callback stores each message in `self.last`, which a loop polls every millisecond. Can the loop miss one?**
 #
-# <details><summary>a) No: ROS keeps messages until they are read</summary>
+# <details><summary>a) No, because ROS keeps messages until they're read</summary>
 #
-# ✗ ROS keeps a message only until your callback has run. After that, the message is in your attribute, and your
-# callback overwrites it.
+# ✗ ROS keeps a message only until your callback has run. After that, the message exists only in your attribute, until
+# the next callback overwrites it.
 #
 # </details>
-# <details><summary>b) No: a millisecond is shorter than any pause between messages</summary>
+# <details><summary>b) No, because a millisecond is shorter than any pause between messages</summary>
 #
 # ✗ Messages that were published together arrive within a fraction of a millisecond.
 #
 # </details>
 # <details><summary>c) Yes, if two messages arrive during one sleep</summary>
 #
-# ✓ There's room for only one message. You saw that happen with a sleep of 5 ms.
+# ✓ `self.last` stores only one message. In experiment 1, a sleep of 5 ms was too long, too.
 #
 # </details>
 #
@@ -650,7 +661,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 #
 # <details><summary>a) It polls only a few times a second</summary>
 #
-# ✗ Then it would be late, as polling is. But in this lesson, the callback was only about a millisecond late.
+# ✗ Then its callbacks would run late. But in this lesson, the callback was only about a millisecond late.
 #
 # </details>
 # <details><summary>b) It sleeps until the operating system wakes it for a message or a timer</summary>
@@ -664,11 +675,11 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 #
 # </details>
 #
-# **4. Where is it right to store only the last value and read it with a timer?**
+# **4. For which of these should you store only the last value and read it with a timer?**
 #
 # <details><summary>a) The distance, for a controller that steers five times a second</summary>
 #
-# ✓ The distance is a state. The controller only needs the newest value, at its own pace.
+# ✓ The distance is a state. The controller needs only the newest value, on its own schedule.
 #
 # </details>
 # <details><summary>b) The stop button</summary>
@@ -678,7 +689,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # </details>
 # <details><summary>c) Parcels that have to be counted</summary>
 #
-# ✗ Two parcels between two polls would count as one.
+# ✗ If two parcels fell between two polls, they'd be counted as one.
 #
 # </details>
 
@@ -695,15 +706,19 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # answer? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# The bumper is an event. Polling is up to 20 ms late, and two bumps within 20 ms become one. A callback is faster and
-# misses nothing. For most purposes, the camera image is a state. So use a queue depth of 1 and a callback, or a timer
-# at the pace of the code that needs the image. The battery changes slowly, so 99 of 100 polls find nothing new. Your
-# colleague wants everything in one place and in one order. An executor with one thread also gives you one place,
-# because it runs callbacks one after another. But neither design shows the order of events. The loop handles things in
-# the order of its checks, and the executor handles timers before messages. To find the order, compare time stamps. A
-# good answer mentions the processor time. It also says that one slow check holds up all three (lesson 10).
+# A bumper hit is an event. Polling would notice it up to 20 ms late and would count two hits within 20 ms as one. A
+# callback is faster and misses neither. For most purposes, the camera image is a state. So use a queue depth of
+# 1. Either handle the image in a callback, or store it and read it with a timer, as often as you need an image. The
+# battery changes slowly, so 99 out of 100 polls would find nothing new.
+#
+# Your colleague wants to handle everything in one place and in order. A single-threaded executor also runs everything
+# in one place, one callback after another. But neither design shows what happened first. The loop handles things in the
+# order in which it checks them, and the executor handles timers before messages. To find the order of events, compare
+# timestamps.
+#
+# A good answer also mentions processor time. And it points out that one slow check delays all three (lesson 10).
 #
 # </details>
 #
@@ -712,7 +727,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`subscription.take()`:** That's C++ (rclcpp). In rclpy, a subscription has no public method for fetching a
-#   message. It has its callback instead.
+#   message. Use the subscription's callback instead.
 # - **`wait_for_message("/bumper", Bool, timeout=1.0)`:** That's ROS 1. In rclpy, write `wait_for_message(Bool, node,
 #   "/bumper", time_to_wait=1.0)`. It returns two values: whether a message arrived, and the message.
 #
@@ -721,18 +736,18 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # %% [markdown]
 # ## Take away
 #
-# - Polling finds a message late, by half the sleep on average. If several messages arrive between two polls, it finds
-#   only one.
-# - Polling more often is faster, but it costs more and still misses messages. Polling without a sleep is slow *and*
-#   expensive.
-# - If its thread is free, a callback runs as soon as a message arrives, once for each message. Waiting for messages costs
-#   almost nothing.
+# - On average, polling finds a message late by half the sleep time. If the callback stores only the last of several
+#   messages, the loop misses the others.
+# - Polling more often shortens the delay, but it costs more processor time and still misses messages. Polling without a
+#   sleep is slow *and* expensive.
+# - A callback runs once for each message. It runs as soon as the message arrives, if the executor's thread is free.
+#   Waiting for messages costs almost no processor time.
 # - React to an event in the callback. Store a state, and read it with a timer.
-# - `spin_once(timeout_sec=0)` in a loop wastes a processor. `rate.sleep()` never returns unless another thread spins
-#   the node.
+# - A loop around `spin_once(timeout_sec=0)` keeps a processor busy for nothing. `rate.sleep()` never returns unless
+#   another thread spins the node.
 #
 # **Before:** [10 · Slow callbacks](10_slow_callbacks.ipynb)
 #
-# **Next:** [12 · Services](12_services.ipynb): a request, and a response to it.
+# **Next:** [12 · Services](12_services.ipynb): requests and responses.
 #
 # **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

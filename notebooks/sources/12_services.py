@@ -10,12 +10,12 @@
 #   - offer a service and call it
 #   - choose between a topic and a service
 #   - call a service from a callback
-#   - explain what happens to an open call when its server ends
-# - **Left out:** actions (long jobs with progress reports), custom service types, parameters
+#   - explain what happens to a pending call when its server ends
+# - **Not covered:** actions (long jobs with progress reports), custom service types, parameters
 
 # %% [markdown]
-# The first cell starts a robot in its own process. The robot stands still and offers a **service**, `/robot/wave`. You
-# send the service a *request*, true to wave or false to stop, and receive a *response*.
+# The first cell starts a robot, which stands still and offers a **service**, `/robot/wave`. You send the service a
+# *request* (`True` to wave, `False` to stop) and receive a *response*.
 
 # %%
 from lesson_nodes import waves_when_asked
@@ -53,12 +53,12 @@ print(f"success={response.success}, {response.message!r}")
 await watch_robot(seconds=4)
 
 # %% [markdown]
-# The node that sends the request has a **client**, and the node that responds has a **server**. The response confirms
-# that the server handled your request. Messages on a topic aren't confirmed.
+# The node that sends the request has a **client**; the node that responds has a **server**. The response confirms that
+# your request was handled. Messages on a topic aren't confirmed.
 #
 # [the same without helpers: start, init, fresh, run, spin_for]
 #
-# Now send the same request again, and then the opposite one:
+# Now send the same request again, then the opposite one:
 
 # %%
 from workbook.lesson import stop
@@ -77,9 +77,9 @@ stop()
 # %% [markdown] prediction="call-in-a-callback"
 # ## Predict
 #
-# So far the notebook asked. On a robot a node asks, in one of its callbacks. This one publishes a heartbeat ten times a
-# second, and twice a second it asks the robot to test itself. The client's method `call` sends the request, waits for
-# the response and returns it.
+# So far, the notebook has sent the requests. On a robot, a node sends them from a callback. This node publishes a
+# heartbeat ten times a second. Twice a second, it asks the robot to test itself. The client's method `call` sends the
+# request, waits for the response, and returns it.
 #
 # ```python
 # class HeartAndQuestion(Node):
@@ -100,20 +100,20 @@ stop()
 # rclpy.spin(HeartAndQuestion())
 # ```
 #
-# The server runs, and responds within a millisecond. What happens in the first two seconds?
+# The server is running and responds within a millisecond. What happens in the first two seconds?
 #
-# - **a** One request goes out. Then no response, no beat, no error.
+# - **a** The node sends one request. After that: no response, no beat, no error.
 #   when `asked <= 1 and answered == 0`
-#   ✓ The callback waits for the response, and the executor waits for the callback. That is a deadlock.
+#   ✓ The callback waits for the response, and the executor waits for the callback. That's a deadlock.
 # - **b** About twenty beats and four responses.
 #   when `answered >= 3 and beats >= 18`
-#   ✗ The response does arrive after a millisecond. But taking it in is the executor's job, and its only thread
-#   waits in `call`.
-# - **c** Four responses; the heart misses a beat now and then, while `call` waits.
+#   ✗ The response does reach the node after a millisecond. But the executor must take it, and the executor's only
+#   thread is waiting in `call`.
+# - **c** Four responses, but the heartbeat sometimes skips a beat while `call` waits.
 #   when `answered >= 3 and beats < 18`
-#   ✗ It is more than a delay. The thread that would have to take in the response is the one that waits for it.
-# - **d** An exception: rclpy forbids `call` in a callback.
-#   ✗ rclpy does not look at where `call` is called from. It waits, and sets no limit to that.
+#   ✗ The beats aren't just delayed. The thread that would have to take the response is waiting for it, forever.
+# - **d** An exception: rclpy doesn't allow `call` in a callback.
+#   ✗ rclpy doesn't check where you use `call`. It waits without a time limit.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -190,11 +190,11 @@ show_machine(
 #
 # The executor can take a response when two things are free:
 #
-# - **A thread of the executor.** `spin` uses one thread. A `MultiThreadedExecutor` has several.
+# - **One of the executor's threads.** `spin` uses one thread. A `MultiThreadedExecutor` has several.
 # - **The client's callback group.** By default, all of a node's callbacks are in one *default group*. That group is
 #   *mutually exclusive*: only one of its callbacks runs at a time. A waiting callback still occupies its group.
 #
-# Each way of waiting occupies something different:
+# How a callback waits determines whether its thread and group stay occupied:
 #
 # | in the callback | occupies its thread | occupies its group |
 # |---|---|---|
@@ -209,8 +209,8 @@ show_machine(
 # %% [markdown]
 # ### Seven ways to wait
 #
-# Before you run the next cell, apply the two conditions to each row: do the responses arrive? "Own" means that the
-# client has its own callback group. Everything else is in the default group.
+# Before you run the next cell, apply both conditions to each row: do the responses arrive? "Own" means that the client
+# has its own callback group. Everything else is in the default group.
 #
 # | case | how the callback waits | client's group | threads |
 # |---|---|---|---|
@@ -222,7 +222,7 @@ show_machine(
 # | 6 | `await` | own | 1 |
 # | 7 | `spin_until_future_complete`, for 0.4 s | default | 1 |
 #
-# `limps` means that the node misses heartbeats while a call waits.
+# `limps` marks a node that misses heartbeats while a call is waiting.
 
 # %% id="seven-cases"
 CASES = [
@@ -311,32 +311,33 @@ yours(
 # %% [markdown] prediction="other-groups"
 # ## Change it
 #
-# ### Experiment 1: other groups, other threads
+# ### Experiment 1: other groups and threads
 #
-# A *reentrant* group lets any number of callbacks run at a time. Here are three more cases, in other groups than the
-# default one. With "reentrant", not only the client but also the timer that makes the call is in that group:
+# In a *reentrant* group, any number of callbacks can run at the same time. Here are three more cases, none with the
+# client in the default group. In the "reentrant" cases, the client's group also contains the timer that makes
+# the call:
 #
 # - `call`, own group, 1 thread
 # - `call`, reentrant group, 4 threads
 # - `await`, reentrant group, 1 thread
 #
-# In which of them do responses come?
+# In which cases do responses arrive?
 #
-# - **a** In all three: none of them uses the default group for the response.
+# - **a** In all three, because no client is in the default group.
 #   when `case_1 and case_2 and case_3`
-#   ✗ The group is not all that it takes. In the first case the only thread waits in `call`, and none is left to
-#   take the response.
-# - **b** Only in the second: it has threads and a group.
+#   ✗ A free group isn't enough. In the first case, the only thread is waiting in `call`, so no thread can take the
+#   response.
+# - **b** Only in the second: it has several threads and a reentrant group.
 #   when `not case_1 and case_2 and not case_3`
-#   ✗ The third case has one thread, but `await` frees it while it waits, and the reentrant group lets the
-#   response in.
+#   ✗ The third case has only one thread, but `await` frees it, and the reentrant group lets the executor take the
+#   response.
 # - **c** Only in the first.
 #   when `case_1 and not case_2 and not case_3`
-#   ✗ In the first case the group is free, but the only thread waits in `call`.
-# - **d** In the second and the third.
+#   ✗ In the first case, the client's group is free, but the only thread is waiting in `call`.
+# - **d** In the second and third.
 #   when `not case_1 and case_2 and case_3`
-#   ✓ `call` keeps a thread, so it needs a second one and a free group. `await` frees its thread, so a free group is
-#   enough.
+#   ✓ `call` blocks its thread, so it needs a second thread and a free group. `await` frees its thread, so a free group
+#   is enough.
 
 # %%
 predict("other-groups")
@@ -358,10 +359,10 @@ reveal(
 )
 
 # %% [markdown] prediction="slow-server"
-# ### Experiment 2: a server that takes its time
+# ### Experiment 2: a slow server
 #
-# Until now the server responded within a millisecond. Now it takes 0.35 s. All three cases below get their responses. The
-# heartbeat timer is in the default group. In which of them does it go on *while* a call waits?
+# Until now, the server has responded within a millisecond. Now it takes 0.35 s. All three cases below get their
+# responses. The heartbeat timer is in the default group. In which cases does it keep firing *while* a call is waiting?
 #
 # - `call`, own group, 4 threads
 # - `await`, own group, 1 thread
@@ -369,20 +370,20 @@ reveal(
 #
 # Options:
 #
-# - **a** In all three: they all get their responses.
+# - **a** In all three, because they all get their responses.
 #   when `case_1 and case_2 and case_3`
-#   ✗ They do get their responses. But in two of them the callback that waits stays in the default group, where the
-#   heart is.
-# - **b** In the first only: it has threads to spare.
+#   ✗ They do get their responses. But in two cases, the waiting callback occupies the default group, which also
+#   contains the heartbeat timer.
+# - **b** Only in the first: it has threads to spare.
 #   when `case_1 and not case_2 and not case_3`
-#   ✗ It has threads to spare, but not the group: the callback that waits in `call` is in the default group, as the
-#   heart is.
-# - **c** In the third only.
+#   ✗ It does have threads to spare. But the callback that waits in `call` occupies the default group, and the heartbeat
+#   timer needs that group.
+# - **c** Only in the third.
 #   when `not case_1 and not case_2 and case_3`
-#   ✓ The callback only asks and returns, so it leaves the group at once, and the timer can run.
-# - **d** In the second and third: neither holds a thread.
+#   ✓ The callback only sends the request and returns. So the group is free right away, and the timer can fire.
+# - **d** In the second and third: neither blocks a thread.
 #   when `not case_1 and case_2 and case_3`
-#   ✗ `await` frees the thread, but its callback stays in the default group until the response is there.
+#   ✗ `await` frees the thread, but its callback occupies the default group until the response arrives.
 
 # %%
 predict("slow-server")
@@ -418,29 +419,29 @@ show_machine(
 )
 
 # %% [markdown]
-# Only the done callback leaves the heartbeat undisturbed. With both `call` and `await`, the waiting callback occupies
-# the default group. The heartbeat timer is in that group, too, so the executor leaves it out of its wait set. A
-# callback that only sends the request returns right away and frees the group.
+# Only the done callback leaves the heartbeat undisturbed. With `call` and `await`, the waiting callback occupies the
+# default group. The heartbeat timer is in that group, too, so the executor leaves it out of its wait set. A callback
+# that only sends the request returns right away and frees the group.
 #
 # For most nodes, we recommend this: **use `call_async`, add a done callback, and return.** That needs no extra threads
 # or groups, and can't deadlock. (The done callback itself isn't in *any* group. With several threads, it may run at the
 # same time as any other callback, so protect shared data with a lock.)
 
 # %% [markdown] prediction="server-dies"
-# ### Experiment 3: the server dies
+# ### Experiment 3: the server process ends
 #
-# This server never responds. While our call is open, its process ends. What does the client learn?
+# This server never responds, and its process ends while our call is waiting. What happens to the client's future?
 #
-# - **a** The future is done, and raises an exception.
-#   ✗ Nobody tells the client that the server is gone, so nothing puts an exception into the future.
-# - **b** The future stays open for good, and nothing reports it.
+# - **a** The future is done and raises an exception.
+#   ✗ ROS doesn't notify the client that the server has ended, so nothing sets an exception on the future.
+# - **b** It's never done, and the client gets no notice.
 #   when `not old_call_is_done`
-#   ✓ A service has no time-out, and no message says that the server ended. The client has to watch the time itself.
-# - **c** The future is done, and its result is `None`.
-#   ✗ A future is done when the response has come. None has come, so there is no result, not even `None`.
-# - **d** The future stays open. A new server of that name would answer it.
+#   ✓ A service call has no timeout, and no message reports the server's end. Your client needs its own time limit.
+# - **c** It's done, and its result is `None`.
+#   ✗ A future is done only when the response has arrived. None did, so the future has no result, not even `None`.
+# - **d** It isn't done yet, but a new server with the same name would respond to the request.
 #   when `old_call_is_done`
-#   ✗ The request went to the old server. A new one has never seen it.
+#   ✗ Only the old server received the request. A new one never gets it.
 
 # %%
 predict("server-dies")
@@ -495,13 +496,13 @@ stop()
 
 # %% [markdown]
 # The client gets no notice that the server is gone, so the call stays open forever. `service_is_ready()` tells you
-# whether a server exists *now*, not whether your open call can still succeed. So set your own time limit. When it
+# whether a server exists *now*, not whether your pending call can still succeed. So set your own time limit. When it
 # expires, give up on the call with `remove_pending_request(future)`, and send a new request or raise an alarm.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A misspelled service name.** This name lacks an underscore, so no server has it.
+# **A misspelled service name.** The underscore is missing, so no server has this name.
 
 
 # %% id="no-server"
@@ -637,14 +638,14 @@ questions_picture(
 
 # %% [markdown]
 # `rclpy.spin_until_future_complete` moves the node from the executor that was spinning it to the *global* executor, and
-# removes it from there when the future is done. Then nothing spins the node. So use this function in `main()`, before
-# `spin`, and never in a callback.
+# removes it from there when the future is done. After that, nothing spins the node. So use this function in `main()`,
+# before `spin`, and never in a callback.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** Twice a second, an arm node sends its gripper a request to close or to open. Instead of waiting, the arm
-# stores the call's future in an attribute, and the done callback records the result.
+# **Worked example.** Twice a second, an arm node sends its gripper a request to close or to open. Instead of waiting,
+# the arm stores the call's future in an attribute, and the done callback records the result.
 
 
 # %%
@@ -690,8 +691,8 @@ await run(gripper, arm, seconds=20, until=lambda: len(arm.done) == 4)
 print(arm.done)
 
 # %% [markdown]
-# **Faded.** This gripper has a loose cable, so one request in three gets no response. The arm has to notice that.
-# Replace the `...` with your code.
+# **Fill in the blanks.** This gripper has a loose cable, so one request in three gets no response. The arm has to
+# notice that. Replace the `...` with your code.
 
 # %%
 from rclpy.callback_groups import ReentrantCallbackGroup
@@ -793,7 +794,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # </details>
 # <details><summary>b) Nothing</summary>
 #
-# ✓ So your node needs its own time limit. When the limit has passed, give up on the call, report the failure, and
+# ✓ So your node needs its own time limit. When that limit expires, give up on the call, report the failure, and
 # continue.
 #
 # </details>
@@ -835,12 +836,12 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
 # While the callback awaits the response, it occupies the node's default group. The client is in the same group, so the
 # executor can't take the response. The balance timer is in that group, too, so it stops. If the client gets its own
-# group, the response arrives. But until it does, the balance timer still has to wait. To avoid that, the stumble
-# callback or the timer needs another group as well. A `MultiThreadedExecutor` alone changes nothing. The simplest fix
+# group, the response arrives. But until it does, the balance timer still has to wait. To avoid that, give either the
+# stumble callback or the timer a separate group, too. A `MultiThreadedExecutor` alone changes nothing. The simplest fix
 # is not to wait: use `call_async`, publish "caught" in a done callback, and return. A good answer adds a time limit. It
 # also asks whether a reflex should be a service at all, because a message on a topic needs no response.
 #
@@ -853,7 +854,8 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # - **`await client.call_async()` is safe in any callback:** By default, the client and the callback are in the same
 #   group. The response has to wait for that group, so it never reaches the callback.
 # - **Call `rclpy.spin_until_future_complete(node, future)` in the callback:** The callback still occupies the group, so
-#   nothing can take the response. If the call has a timeout, it returns when that expires, but the future isn't done.
+#   nothing can take the response. With a timeout, the function returns when the timeout expires, but the future still
+#   isn't done.
 #
 # </details>
 

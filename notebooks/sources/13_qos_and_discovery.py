@@ -9,9 +9,9 @@
 # - **You will be able to:**
 #   - explain why a subscription receives a message, or why it doesn't
 #   - predict which messages reach a program that starts late
-#   - detect silence with a deadline, or with a timer that checks the clock
-# - **Left out:** liveliness, lifespan, and history (three more policies), discovery servers, settings that only one
-#   DDS implementation has
+#   - detect silence with a deadline or with a timer that checks the clock
+# - **Not covered:** three more policies (liveliness, lifespan, and history), discovery servers, and vendor-specific DDS
+#   settings
 
 # %% [markdown]
 # This robot publishes its status once, when it starts, and a heartbeat four times per second. We record it for five
@@ -33,8 +33,8 @@ robots(
 )
 
 # %% [markdown]
-# The heartbeat stopped for two seconds, but the program didn't crash, and it logged nothing. So how could another
-# program notice the silence? Before we answer that, let's see how a subscriber finds this robot in the first place.
+# The heartbeat stopped for two seconds, but the program didn't crash, and it logged nothing. So how can another program
+# notice the silence? Before we answer that, let's see how a subscriber finds this robot in the first place.
 
 # %%
 print("started", start(heartbeat))
@@ -43,10 +43,10 @@ graph_picture()
 
 # %% [markdown]
 # The monitor's code doesn't name an address, a port, or a server. Instead, each program announces itself on the network
-# when it starts. The other programs reply with lists of their own publishers and subscriptions. This process is called
-# **discovery**, and it's the job of DDS, the layer below ROS.
+# when it starts. The other programs reply with lists of their publishers and subscriptions. This process is called
+# **discovery**, and DDS, the layer below ROS, takes care of it.
 #
-# In the figure, the arrows connect each node with the names of the topics that it publishes or subscribes to.
+# In the figure, arrows connect each node to the topics that it publishes or subscribes to.
 
 # %%
 stop()
@@ -68,22 +68,23 @@ stop()
 # self.create_subscription(String, "/robot/heartbeat", self.on_beat, 10)
 # ```
 #
-# The topic and the type are the same on both sides. The robot publishes eight beats. What does the monitor receive?
+# Both sides use the same topic and the same type. The robot publishes eight beats. What does the monitor receive?
 #
-# - **a** All eight: the topic and the type are right.
+# - **a** All eight, because the topic and the type match.
 #   when `heard == 8`
-#   ✗ Topic and type are right, but not the reliability. The monitor asks for reliable, and the robot offers less.
-# - **b** Most of them: best effort may lose some.
+#   ✗ The topic and the type do match, but the reliability doesn't. The monitor requests reliable, and the robot offers
+#   only best effort.
+# - **b** Most of them, because best effort may lose some.
 #   when `0 < heard < 8`
-#   ✗ Best effort can lose messages between two sides that are matched. These two are not matched at all.
+#   ✗ A best-effort publisher can lose messages only to a matched subscription. Here, DDS doesn't match the two at all.
 # - **c** Nothing, and both sides log a warning.
 #   when `heard == 0 and matched == 0`
-#   ✓ `10` requests reliable, and best effort is offered. DDS does not match the two, and rclpy logs a warning on both
-#   sides.
-# - **d** An exception: the two do not fit.
-#   ✗ Neither side gets an exception. Publisher and subscription are made as if all were well.
-# - **e** Nothing, and nothing is logged anywhere.
-#   ✗ Nothing arrives, but it is logged: each side gets a warning.
+#   ✓ `10` requests reliable, but the robot offers best effort. So DDS doesn't match the two, and rclpy logs a warning
+#   on both sides.
+# - **d** An exception, because the QoS settings are incompatible.
+#   ✗ Neither side gets an exception. rclpy creates the publisher and the subscription as usual.
+# - **e** Nothing, and neither side logs anything.
+#   ✗ Nothing arrives, but each side logs a warning.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -138,11 +139,11 @@ reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 # Every publisher and every subscription has a **QoS profile** (quality of service), which is a set of **policies**. The
 # publisher **offers** its profile, and the subscription **requests** one. DDS compares the two profiles policy by
 # policy. It *matches* the two sides only if every offered policy is at least as good as the requested one. The arrows
-# in the figure above don't show that, because they depend only on topic names.
+# in the figure above don't show whether two sides match, because they depend only on topic names.
 #
-# The robot offered best effort, but the monitor requested reliable. Its `10` is short for `QoSProfile(depth=10)`, and
-# all other policies have their default values. For that profile and for a ready-made one, the next cell prints two of
-# the policies:
+# The robot offered best effort, but the monitor requested reliable. Its `10` is short for `QoSProfile(depth=10)`, in
+# which all other policies have their default values. The next cell prints two of the policies, both for that profile
+# and for a predefined one:
 
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
@@ -163,7 +164,7 @@ print("qos_profile_sensor_data:", policies(qos_profile_sensor_data))
 # | durability | `VOLATILE` | `TRANSIENT_LOCAL` | messages aren't kept for later subscriptions / the last `depth` messages are kept for them |
 # | deadline | none | short | no promise / consecutive messages are never farther apart than this |
 #
-# The table leaves out `depth`, the length of each side's own queue, because DDS doesn't compare depths.
+# The table leaves out `depth`, the length of the queue on each side, because DDS doesn't compare depths.
 #
 # rclpy can tell you whether two profiles are compatible. Pass the offer as the first argument and the request as the
 # second:
@@ -177,9 +178,8 @@ print(verdict.name)
 print(reason)
 
 # %% [markdown]
-# On a real robot, most profiles are in code that isn't yours. But each node announces its profiles, so `topic_info` can
-# collect them and check whether each pair is compatible. In a ROS installation, `ros2 topic info -v` lists the
-# profiles.
+# On a real robot, most profiles are in other people's code. But each node announces its profiles, so `topic_info` can
+# collect them and check each pair for compatibility. In a ROS installation, `ros2 topic info -v` lists the profiles.
 
 # %% id="topic-info"
 from workbook.ros import topic_info
@@ -188,7 +188,7 @@ for problem in topic_info("/robot/heartbeat").problems:
     print(problem)
 
 # %% [markdown]
-# To fix the problem, let the subscription request less:
+# To fix the problem, lower the subscription's request:
 
 # %%
 monitor = fresh(Monitor, qos_profile_sensor_data)
@@ -196,8 +196,8 @@ await run(robot, monitor, seconds=20, until=lambda: len(monitor.heard) == 8)
 print("heard:", len(monitor.heard))
 
 # %% [markdown]
-# **Your turn.** A camera offers best effort and volatile. A viewer wants only its newest image. Write the profile for the
-# viewer's subscription, with `depth`, `reliability`, and no other policy.
+# **Your turn.** A camera offers best effort and volatile. A viewer needs only the newest image. Write the profile for
+# the viewer's subscription, with `depth`, `reliability`, and no other policy.
 
 # %% id="your-camera"
 from rclpy.qos import ReliabilityPolicy
@@ -219,8 +219,8 @@ yours(
 # - *"Both sides must have the same QoS."* The offer only has to be at least as good as the request. So a reliable
 #   publisher matches a best-effort subscription.
 # - *"DDS doesn't report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear in
-#   the log above. But each side logs only one line per mismatch. It does so when it has discovered the other side and
-#   its node spins.
+#   the log above. But each side logs only one line per mismatch. It can do so only after discovery, and only while its
+#   node is being spun.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
@@ -228,22 +228,22 @@ yours(
 # ### Experiment 1: the late dashboard
 #
 # When a robot starts, it publishes three words, `booting`, `standing`, and `operational`, and then nothing more. Its
-# publisher is transient local with `depth=1`. Two dashboards start later. One, called *plain*, passes just `10`, as
-# usual. The other, called *latched*, requests transient local and `depth=10`. Which of the words does each dashboard
-# receive?
+# publisher is transient local with `depth=1`. Two dashboards start later. One, called *plain*, subscribes with just
+# `10`, as usual. The other, called *latched*, requests transient local with `depth=10`. Which of the words does each
+# dashboard receive?
 #
-# - **a** The plain one knows nothing, the latched one `operational`.
+# - **a** The plain one receives nothing, and the latched one receives `operational`.
 #   when `plain_knows == 0 and latched_knows == 1`
-#   ✓ Only the latched one requests earlier messages. With `depth=1` the publisher keeps one message, the last one.
-# - **b** Both know `operational`: it is the last word that was published.
+#   ✓ Only the latched dashboard requests earlier messages. With `depth=1`, the publisher keeps only the last one.
+# - **b** Both receive `operational`, the last word.
 #   when `plain_knows == 1 and latched_knows == 1`
-#   ✗ A volatile subscription gets only messages from after the match. There were none.
-# - **c** Neither knows anything: nothing was published since they opened.
+#   ✗ A volatile subscription receives only messages published after the match, and there were none.
+# - **c** Neither receives anything, because nothing has been published since they started.
 #   when `plain_knows == 0 and latched_knows == 0`
-#   ✗ The publisher is transient local: it keeps its last message for subscriptions that request it.
-# - **d** The plain one knows nothing, the latched one all three.
+#   ✗ The publisher is transient local, so it keeps its last message for subscriptions that request it.
+# - **d** The plain one receives nothing, and the latched one receives all three words.
 #   when `plain_knows == 0 and latched_knows == 3`
-#   ✗ The publisher's depth decides how much is kept, and that is 1. The subscription's depth does not matter here.
+#   ✗ The publisher's depth of 1 determines how many messages it keeps. The subscription's depth doesn't change that.
 
 # %%
 predict("late-dashboard")
@@ -291,12 +291,12 @@ for depth in (1, 2, 3):
 stop()
 
 # %% [markdown]
-# For a *state*, such as a status, a map, or a robot description, use depth 1, because only the latest value is true.
-# A *stream*, such as camera images or a heartbeat, should stay volatile. An old heartbeat tells you nothing about the
-# robot's current state.
+# For a *state*, such as a status, a map, or a robot description, use a depth of 1, because only the latest value is
+# valid. A *stream*, such as camera images or a heartbeat, should stay volatile. An old heartbeat tells you nothing
+# about the robot's current state.
 #
-# **Your turn.** A map is published again only when it changes. Write one profile for both sides that lets a program
-# that starts late receive the newest map.
+# **Your turn.** A map is published again only when it changes. Write one profile for both sides, so that even a program
+# that starts late receives the newest map.
 
 # %% id="your-map"
 map_qos = ...  # TODO: a QoSProfile
@@ -318,22 +318,21 @@ yours(
 # SubscriptionEventCallbacks(deadline=self.on_missed)
 # ```
 #
-# The robot publishes beats for 2 s, and then it's silent for 2.5 s. How often is `on_missed` called?
+# The robot publishes beats for 2 s and is then silent for 2.5 s. How many times is `on_missed` called?
 #
-# - **a** Never: no message, no callback.
+# - **a** Never, because a callback needs a message.
 #   when `missed == 0`
-#   ✗ There is no message, but there is an event: DDS measures the time since the last message and reports when it exceeds
+#   ✗ No message arrives, but an event does: DDS measures the time since the last message and reports when it exceeds
 #   the deadline.
 # - **b** Once, one second after the last beat.
 #   when `missed == 1`
-#   ✗ After a missed deadline, DDS starts to count anew, and reports again when the next period is over.
-# - **c** Four times a second, once for each beat that is missing.
+#   ✗ After each missed deadline, DDS restarts its clock. It reports again if another second passes without a message.
+# - **c** Four times a second, once for each missing beat.
 #   when `missed > 6`
-#   ✗ Beats are due four times a second, but the watcher has not asked for that. Its deadline is 1.0 s.
-# - **d** Again and again, once in each second of silence.
+#   ✗ A beat is due every 0.25 s, but the watcher's deadline is 1.0 s, so DDS reports only once a second.
+# - **d** Again and again, once per second of silence.
 #   when `1 < missed <= 6`
-#   ✓ The deadline that counts is the one that the watcher requested, 1.0 s. It is missed once in each second of
-#   silence.
+#   ✓ DDS checks the watcher's requested deadline of 1.0 s. The silence exceeds it once per second.
 
 # %%
 predict("the-silence")
@@ -410,8 +409,8 @@ print("second event:", about(after_s[1], "s after the last beat", between=(1.9, 
 print("next beat:   ", about(after_s[2], "s after the last beat", between=(2.1, 5)))
 
 # %% [markdown]
-# The event occurs when the deadline has passed, and again after every further period until the next message arrives.
-# The event has two limitations:
+# The event occurs when the deadline passes, and again after each further second without a message. It has two
+# limitations:
 #
 # - DDS measures the time from the last message, so there's no event before the first message.
 # - No event reports that messages are arriving again. Your code can detect that only in `on_beat`.
@@ -457,9 +456,9 @@ print("heard:", impatient.heard)
 print("publishers that it has found:", impatient.subscription.get_publisher_count())
 
 # %% [markdown]
-# The status didn't arrive, because a deadline has to be offered, like everything else that's requested. Otherwise, DDS
-# doesn't match the two sides. The warning ends with the policy's name, `DEADLINE`. Either let the publisher offer a
-# deadline, or request none and check the clock with a timer.
+# The status didn't arrive. Like the other policies in the table, a deadline that you request has to be offered.
+# Otherwise, DDS doesn't match the two sides. The warning ends with the policy's name, `DEADLINE`. To fix this, make the
+# publisher offer a deadline. Or drop the request, and check the clock with a timer instead.
 
 # %% [markdown]
 # **Same topic, different types.** The robot runs in its own process and publishes text. This node subscribes to the
@@ -497,16 +496,16 @@ deaf.destroy_node()  # this process may now subscribe to the topic as text again
 stop()
 
 # %% [markdown]
-# The node receives no number and raises no exception, and with Fast DDS, there's no warning either. So if no messages
-# arrive and nothing is logged, compare the *types*. Here, use `topic_info`; on a robot, use `ros2 topic info -v`. A
-# topic should have only one type, so publish numbers on another topic, such as `/robot/beat_count`.
+# The node doesn't receive any numbers, and there's no exception. With Fast DDS, there's no warning either. So if no
+# messages arrive and nothing is logged, compare the *types*. Here, use `topic_info`; on a robot, use `ros2 topic info
+# -v`. A topic should have only one type, so publish numbers on another topic, such as `/robot/beat_count`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A panel at the lab's entrance can be switched on at any time. It needs the last status right away, so it
-# requests transient local, which the robot offers. Other programs may subscribe to the panel's topic even later, so
-# the panel offers transient local, too.
+# **Worked example.** A panel at the lab's entrance can be switched on at any time. It needs the last status right away,
+# so it requests transient local, which the robot offers. Other programs may subscribe to the panel's topic even later,
+# so the panel offers transient local, too.
 
 # %%
 STATE = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -543,8 +542,8 @@ await run(late, seconds=10, until=lambda: signs)
 print("a late listener reads:", signs[-1])
 
 # %% [markdown]
-# **Faded.** The panel must also raise an alarm when no heartbeat has arrived for more than 2 s. A timer checks the
-# clock. Replace the `...`, and add the missing subscription. Until you do, the cell prints a reminder.
+# **Fill in the blanks.** The panel must also raise an alarm when no heartbeat has arrived for more than 2 s. A timer
+# checks the clock. Replace the `...`, and add the missing subscription. Until you do, the cell prints a reminder.
 
 # %%
 LIMIT_S = ...  # TODO: seconds of silence that are too long
@@ -598,12 +597,12 @@ stop()
 # </details>
 # <details><summary>b) The depth, because 10 is too small for images</summary>
 #
-# ✗ The depth is the length of your own queue. DDS doesn't compare it with anything.
+# ✗ The depth is the length of your own queue, so it doesn't affect the match.
 #
 # </details>
 # <details><summary>c) The durability of your subscription, to transient local</summary>
 #
-# ✗ Then your subscription requests two things that the camera doesn't offer.
+# ✗ Then your subscription would request two things that the camera doesn't offer.
 #
 # </details>
 #
@@ -611,7 +610,8 @@ stop()
 #
 # <details><summary>a) Nothing, because the profiles differ</summary>
 #
-# ✗ They may differ. Each offered policy has to be at least as good as the requested one, and here, both are better.
+# ✗ Profiles may differ. Each offered policy only has to be at least as good as the requested one, and here, both are
+# better.
 #
 # </details>
 # <details><summary>b) Every message after the match</summary>
@@ -629,15 +629,15 @@ stop()
 #
 # <details><summary>a) The map, because your subscription requests it</summary>
 #
-# ✗ The publisher would have to store the map, too. A volatile publisher stores nothing for late subscriptions.
+# ✗ The publisher would have to keep the map for you, but a volatile publisher keeps nothing for late subscriptions.
 #
 # </details>
 # <details><summary>b) Not this map, but the next one</summary>
 #
-# ✗ It won't get the next one either. Volatile offers less than transient local, so the two don't match.
+# ✗ Your node won't get the next one either. The publisher offers less than your node requests, so the two don't match.
 #
 # </details>
-# <details><summary>c) Neither this map nor any later one</summary>
+# <details><summary>c) Neither this map nor a later one</summary>
 #
 # ✓ The two don't match. A warning names the policy, `DURABILITY`.
 #
@@ -657,11 +657,11 @@ stop()
 # </details>
 # <details><summary>c) As soon as the robot is switched on</summary>
 #
-# ✗ At that point, the first message arrives, so no deadline is missed.
+# ✗ At that point, messages begin to arrive, so no deadline is missed.
 #
 # </details>
 #
-# **5. `topic_info` lists a publisher and a subscriber. Nothing is logged, and nothing arrives. What do you check first?**
+# **5. `topic_info` lists a publisher and a subscriber. No message arrives, but nothing is logged either. What do you check first?**
 #
 # <details><summary>a) The domain</summary>
 #
@@ -676,8 +676,8 @@ stop()
 # </details>
 # <details><summary>c) The network cable</summary>
 #
-# ✗ On two machines without a network between them, the programs couldn't discover each other. Then the list would
-# contain only one of them.
+# ✗ Without a network connection, the two programs couldn't discover each other, so the list would contain only one of
+# them.
 #
 # </details>
 
@@ -695,22 +695,22 @@ stop()
 # exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# **The scan:** best effort, volatile, and a small depth. A scan that's sent again is already old when it arrives, and
-# resending scans takes up bandwidth.
+# **The scan:** best effort, volatile, and a small depth. By the time a resent scan arrives, it's out of date, and
+# resending takes up bandwidth.
 #
 # **The map:** reliable and transient local, with depth 1 on the publisher. The tablet has to request transient local,
 # too.
 #
 # **The emergency stop:** Reliable isn't enough, because a stop message that doesn't arrive stops nothing. Reverse the
-# logic: the tablet sends "go on" as a heartbeat, and the robot stops when that heartbeat goes silent.
+# logic: the tablet sends "go on" as a heartbeat, and the robot stops when the heartbeat does.
 #
 # **The lost connection:** a deadline on the scan, offered by the robot, or a timer that checks the clock. The tablet
 # should display the age of its data.
 #
-# Good answers add that a deadline takes effect only after the first message. They also say that you should test all of
-# this by pulling the plug.
+# Good answers add that a deadline takes effect only after the first message. They also recommend testing all of this by
+# pulling the plug.
 #
 # </details>
 #
@@ -721,7 +721,7 @@ stop()
 # - **`QoSProfile(depth=10, deadline=0.1)`:** The profile doesn't accept a plain number of seconds. Use
 #   `Duration(seconds=0.1)`.
 # - **A best-effort subscription doesn't match a reliable publisher:** It does, because it requests less than the
-#   publisher offers. The reverse combination doesn't match.
+#   publisher offers. The reverse combination, a reliable subscription and a best-effort publisher, doesn't match.
 #
 # </details>
 
@@ -734,8 +734,8 @@ stop()
 #   the reason.
 # - With transient local on both sides, a late subscription gets the publisher's last `depth` messages right away. Use
 #   it for states.
-# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock works
-#   without an offer.
+# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock doesn't
+#   depend on the publisher.
 # - If both sides are listed, but nothing arrives and nothing is logged, compare the types.
 #
 # **Before:** [12 · Services](12_services.ipynb)

@@ -3,13 +3,13 @@
 #
 # A program starts and publishes right away. Who receives its first messages, and what does that depend on?
 #
-# - **Minutes:** 20
+# - **Minutes:** 25
 # - **You need:** lesson [13](13_qos_and_discovery.ipynb)
 # - **You will be able to:**
 #   - make sure that a program's first messages arrive
-#   - say how long discovery takes
+#   - estimate how long discovery takes
 #   - find out why two programs don't discover each other
-# - **Left out:** discovery servers, and DDS settings for large networks
+# - **Not covered:** discovery servers, and DDS settings for large networks
 
 # %% [markdown] prediction="first-words"
 # ## Predict
@@ -20,12 +20,13 @@
 # messages arrive?
 #
 # - **a** All 18: reliable means that nothing is lost.
-#   ✗ Reliable counts from the match on. Earlier messages have no receiver.
-# - **b** It differs: sometimes none, sometimes many.
-#   ✓ `publish` does not wait for a listener. Whether the match comes before a message depends on the machine and the
-#   moment.
-# - **c** None: the listener is not yet known at that moment.
-#   ✗ Discovery takes a while, but it runs beside your program. On a busy machine it can be faster than the next line.
+#   ✗ Reliable delivery starts with the match. Messages published earlier have no receiver.
+# - **b** It varies: sometimes none, sometimes many.
+#   ✓ `publish` doesn't wait for a listener. Whether a message is published before or after the match varies by machine,
+#   and from run to run.
+# - **c** None: the program hasn't discovered the listener yet.
+#   ✗ Discovery takes a while, but it runs in parallel with your program. On a busy machine, it can finish before your
+#   program's next line runs.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -35,8 +36,8 @@ predict("first-words")
 # %% [markdown]
 # ## Run it
 #
-# `greet` runs the programs (`lesson_nodes/first_words.py`). It returns how many milliseconds each of them took to
-# discover the listener.
+# We call the six programs *newcomers*. `greet` runs them (`lesson_nodes/first_words.py`) and returns how many
+# milliseconds each one took to discover the listener.
 #
 # [the same without helpers: init, fresh, run]
 
@@ -78,7 +79,7 @@ print(about(len(ears.heard), "of 18 messages arrived", between=(0, 18)))
 reveal("first-words")
 
 # %% [markdown]
-# Run the three cells above a few times. On our idle machine, between none and two thirds of the messages arrived.
+# Run the three cells above a few times. On our idle machine, anywhere from none to two thirds of the messages arrived.
 # When all processors were busy, all 18 arrived, because the program itself was so slow that discovery finished first.
 # So a fault like this can appear on one machine but not on the next.
 
@@ -119,8 +120,9 @@ for fix, words in FIXES.items():
 # ### How long does discovery take?
 #
 # A few DDS settings make discovery fast in this workbook (`workbook/ros/loopback.xml`). They keep all traffic on this
-# machine, and each program repeats its announcement ten times per second. On a robot, the default is once every three
-# seconds. We run six newcomers, that is, newly started programs, with our settings, and six with the defaults.
+# machine, and they make each program repeat its announcement ten times per second. Without these settings, as on a
+# robot, each program repeats its announcement once every three seconds. We run six newcomers with our settings, and six
+# with the defaults.
 
 # %%
 from workbook.lesson.qos_trials import found_picture, greet_by_default
@@ -142,27 +144,27 @@ found_picture(
 )
 
 # %% [markdown]
-# We measured a hundred runs on one machine. With the workbook's settings, the newcomers took 3 to 190 ms. With the
-# defaults, about half took 3 to 100 ms. Most of the others took up to three seconds, because they had to wait for the
-# next announcement. So a `time.sleep(1.0)` before the first message works in one run and fails in the next. Wait for
-# the match, not for a fixed time.
+# We measured a hundred runs on one machine. With the workbook's settings, discovery took 3 to 190 ms. With the
+# defaults, it took 3 to 100 ms in about half of the runs. In most of the others, it took up to three seconds, because
+# the newcomer had to wait for the next announcement. So a `time.sleep(1.0)` before the first message works in one run
+# and fails in the next. Wait for the match, not for a fixed time.
 
 # %% [markdown] prediction="sixteen-pairs"
 # ### All pairs, measured
 #
-# Two policies with two values each make four profiles. Each profile can be offered, and each can be requested, so
-# there are sixteen pairs. Each publisher sends one message before the subscription exists, and five afterward. In how
-# many pairs does any message arrive?
+# Two policies with two values each make four profiles. Each profile can be offered, and each can be requested, so there
+# are sixteen pairs. Each publisher sends one message before the subscription exists, and five afterward. In how many
+# pairs does at least one message arrive?
 #
 # - **a** 4: those with equal profiles on both sides.
 #   when `hearing == 4`
-#   ✗ They need not be equal. An offer may be better than the request.
-# - **b** 16: each pair has the same topic and type.
+#   ✗ The profiles don't have to be equal: an offer may be better than the request.
+# - **b** 16: all of them, because the topic and the type match.
 #   when `hearing == 16`
-#   ✗ A request that is higher than the offer prevents the match.
-# - **c** 9: no request is higher than the offer.
+#   ✗ A request that's higher than the offer prevents the match.
+# - **c** 9: those in which no request is higher than the offer.
 #   when `hearing == 9`
-#   ✓ For each policy three of the four combinations fit, and 3 × 3 is 9.
+#   ✓ For each policy, three of the four combinations match, and 3 × 3 is 9.
 
 # %%
 predict("sixteen-pairs")
@@ -211,8 +213,8 @@ print("pairs that got the old message: ", sum(got_the_old))
 # The old message arrived only in the pair where *both* sides are reliable *and* transient local. In five of the nine
 # pairs that received messages, the two profiles differ.
 #
-# **Your turn.** Write the rule that decides whether a pair matches. Each profile is a tuple of two levels here, for
-# reliability and durability: 0 is the lower value, and 1 is the higher one.
+# **Your turn.** Write the rule that decides whether a pair matches. Here, each profile is a tuple of two levels, one
+# for reliability and one for durability. Level 0 is the lower value, and 1 is the higher one.
 
 # %% id="your-rule"
 from workbook.lesson import yours
@@ -238,8 +240,8 @@ yours(
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A different type in the same process.** Lesson 13 used two types on one topic in two processes, and nothing was
-# logged. Within one process, however, the middleware does compare the types:
+# **A different type in the same process.** In lesson 13, two processes used different types on one topic, but Fast DDS
+# logged nothing. Within one process, however, the middleware does compare the types:
 
 
 # %% id="other-type" tags=["raises-exception"]
@@ -262,7 +264,7 @@ fresh(Counter)
 # `invalid allocator`.
 
 # %% [markdown]
-# **Different domains.** In the next cell, name, type, and QoS are correct. Only the domains differ:
+# **Different domains.** In the next cell, the topic name, the type, and the QoS all match. Only the domains differ:
 
 # %% id="other-domain"
 from workbook.lesson.qos_trials import heard_between
@@ -273,15 +275,15 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
     print("desk A to desk B:", heard_between(desk_a, desk_b, LATCHED))
 
 # %% [markdown]
-# Each tool runs in only one domain, too, so no tool can show this pair. If a topic isn't listed, there are three
-# possible causes. The other program is in a different domain (`ROS_DOMAIN_ID`), it's on a different network, or it
-# isn't running. If a topic is listed but no messages arrive, check QoS and types.
+# Like any program, a tool runs in only one domain, so no tool can show both sides of such a pair. If a topic isn't
+# listed, there are three possible causes. The other program is in a different domain (`ROS_DOMAIN_ID`), it's on a
+# different network, or it isn't running. If a topic is listed but no messages arrive, check QoS and types.
 #
-# **In a container: a topic is listed, but nothing arrives.** Fast DDS sends messages through shared memory
-# (`/dev/shm`) if it detects that both programs are on one machine. Suppose a container shares its host's network, but
-# not `/dev/shm`. Then Fast DDS still assumes that both are on the same machine. As a result, every topic is listed,
-# but no message arrives. To fix it, share `/dev/shm` and the user (`--ipc=host`, `--user`), or turn off shared
-# memory, as this workbook does. `workbook doctor` checks all of these settings.
+# **In a container: a topic is listed, but nothing arrives.** Fast DDS sends messages through shared memory (`/dev/shm`)
+# if it detects that both programs are on one machine. Suppose a container shares its host's network, but not
+# `/dev/shm`. Then Fast DDS still assumes that both are on the same machine. As a result, every topic is listed, but no
+# message arrives. To fix it, share `/dev/shm` and run both programs as the same user (`--ipc=host`, `--user`). Or turn
+# off shared memory, as this workbook does. `workbook doctor` checks all of these settings.
 
 # %% [markdown]
 # ## Take away

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 14 · Arrays and filters
 #
-# Sensors are noisy. How much noise can you remove from a measurement, and what does that cost? NumPy and SciPy help, and
-# a node can use them on every message.
+# Sensors are noisy. How much noise can you remove from a measurement, and what does that cost? In this lesson, a node
+# uses NumPy and SciPy to filter every message that it receives.
 #
 # - **Minutes:** 45
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb), [04](04_subscriptions_and_callbacks.ipynb) and
@@ -10,12 +10,13 @@
 # - **You will be able to:**
 #   - turn a message into an array and back
 #   - run a filter inside a callback
-#   - trade noise against delay
-#   - choose a filter for a vibration
-# - **Left out:** images (lesson 15), Kalman filters, messages at irregular intervals
+#   - trade off noise against delay
+#   - choose a filter to suppress a vibration
+# - **Not covered:** images (lesson 15), Kalman filters, messages at irregular intervals
 
 # %% [markdown]
-# Look at the robot. It waves slowly, but its encoders, the sensors in the joints, are noisy. That's why the drawing trembles.
+# Look at the robot. It waves slowly, but its encoders, the sensors in the joints, are noisy. That's why the robot in
+# the drawing trembles.
 
 # %%
 from lesson_nodes import noisy_joints
@@ -26,9 +27,10 @@ await watch_robot(seconds=5, ease=0.1)
 stop()
 
 # %% [markdown]
-# The node publishes a `JointState` twenty times a second. Its field `name` holds twelve names, and `position` holds
-# twelve angles in radians. Two lines are enough to compute with them. `np.array(message.position)` copies the angles into
-# an array. `.tolist()` turns an array into a list, and the field accepts that. Here's a message with three joints:
+# The node publishes a `JointState` twenty times a second. The `name` field holds twelve names, and the `position` field
+# holds twelve angles in radians. To do arithmetic on the angles, you need two conversions. `np.array(message.position)`
+# copies the angles into an array. `.tolist()` turns an array back into a list, which the field accepts. Here's a
+# message with three joints:
 
 # %%
 import numpy as np
@@ -43,7 +45,7 @@ print("angles: ", angles, "on average", angles.mean())
 print("doubled:", doubled.position)
 
 # %% [markdown]
-# **Your turn.** How far is each angle from the average of all three? NumPy needs no loop for that.
+# **Your turn.** How far is each angle from the average of all three? With NumPy, you don't need a loop.
 
 # %% id="your-difference"
 from workbook.lesson import yours
@@ -53,9 +55,9 @@ difference = ...  # TODO: an array, from angles and angles.mean()
 yours(difference, [-0.2, -0.1, 0.3], "Subtract the mean from the whole array.")
 
 # %% [markdown]
-# A **filter** computes a less noisy value from the current measurement and earlier ones. A callback gets one message at a
-# time, and its local variables disappear when it returns. So the filter needs **state** that outlives the callback, in
-# an attribute. This filter's state is the last few measurements:
+# A **filter** computes a less noisy value from the current measurement and earlier ones. A callback gets one message at
+# a time, and its local variables disappear when it returns. So the filter needs **state** that outlives the callback.
+# We store it in an attribute. This filter's state is the last few measurements:
 
 # %%
 from collections import deque
@@ -78,22 +80,22 @@ print([round(average.step(value), 2) for value in (0.9, 0.9, 0.9, 0.3, 0.3, 0.3)
 # %% [markdown] prediction="longer-average"
 # ## Predict
 #
-# To see noise and delay apart, we feed a filter two signals. Pure noise: how much of it is left? And a ramp that rises
-# by 1 with each message: how far is the result behind?
+# To measure noise and delay separately, we feed a filter two signals. The first is pure noise: how much of it remains?
+# The second is a ramp that rises by 1 with each message: how far does the result lag behind?
 #
-# We go from an average of 4 messages to one of 16. What happens?
+# Now we average 16 messages instead of 4. How do noise and delay change?
 #
-# - **a** Half of the noise, and five times the delay.
+# - **a** Half the noise remains, and the delay is five times as long.
 #   when `noise_ratio > 0.4 and delay_ratio > 4.5`
-#   ✓ Four times as many messages leave half of the noise. The delay grows from 1.5 to 7.5 messages.
-# - **b** A quarter of the noise, and four times the delay.
+#   ✓ Four times as many messages halve the noise. The delay grows from 1.5 to 7.5 messages.
+# - **b** A quarter of the noise remains, and the delay is four times as long.
 #   when `noise_ratio < 0.4 and delay_ratio > 3.0 and delay_ratio < 4.5`
-#   ✗ Noise goes down with the square root of the number of messages, and the root of 4 is 2. The delay is that of the
-#   middle message: (4 − 1)/2 = 1.5 and (16 − 1)/2 = 7.5, five times as much.
-# - **c** A quarter of the noise, and the same delay: computing a mean takes no time.
+#   ✗ Noise falls with the square root of the number of messages, and the square root of 4 is 2. The average lags as far
+#   behind as the midpoint of its messages. That's (4 − 1)/2 = 1.5 and (16 − 1)/2 = 7.5, or five times as much.
+# - **c** A quarter of the noise remains, and the delay doesn't change, because a mean takes hardly any time to compute.
 #   when `noise_ratio < 0.4 and delay_ratio < 3.0`
-#   ✗ The delay does not come from computing. A mean of old and new values shows how things were halfway
-#   between the oldest and the newest.
+#   ✗ The delay isn't computing time. An average of old and new values describes the moment halfway between the oldest
+#   and the newest value.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -127,12 +129,13 @@ reveal("longer-average", noise_ratio=noise_ratio, delay_ratio=delay_ratio)
 # %% [markdown]
 # ## Look inside
 #
-# Independent errors partly cancel, but slowly: an average of N leaves 1/√N of the noise. The delay grows with N itself.
-# The mean of N messages describes the middle one, so it's (N − 1)/2 messages behind. The code isn't slow. The earlier
-# measurements in each result describe the past.
+# Independent errors partly cancel out, but more messages bring diminishing returns: an average of N messages leaves
+# 1/√N of the noise. The delay grows faster, roughly in proportion to N. The mean of N messages describes the moment
+# halfway between the oldest and the newest, so it's (N − 1)/2 messages behind. Slow code isn't the cause. Part of each
+# result comes from earlier measurements, and those describe the past.
 #
-# Try it. The next figure shows five seconds of one elbow. We simulate them here, so that every run gets the same noise.
-# Drag the slider while the cell runs.
+# Try it. The next figure shows one elbow's angle over five seconds. We simulate this angle so that every run gets the
+# same noise. Drag the slider while the cell runs.
 
 # %%
 from lesson_nodes.joint_position_publisher import JOINTS, waving
@@ -181,8 +184,8 @@ await slide(
 )
 
 # %% [markdown]
-# **Your turn.** A controller accepts angles that are at most 0.3 s late. How many messages may the average span, at 20
-# messages a second? Check your number with the slider.
+# **Your turn.** A controller accepts angles that are at most 0.3 s late. At 20 messages a second, what's the longest
+# average that you can use? Check your number with the slider.
 
 # %% id="your-length"
 longest = ...  # TODO: a whole number, from (N - 1) / 2 messages of 1 / 20 s each
@@ -192,8 +195,8 @@ yours(longest, 13, "(N - 1) / 2 must be 0.3 * 20 messages.")
 # %% [markdown]
 # ### A filter inside a callback
 #
-# Now let's filter the left elbow on the live topic. The thread that runs the callbacks also draws the plot, so drawing
-# delays them. That's why `each_frame` draws only four times a second.
+# Now let's filter the left elbow's angle on the live topic. The thread that runs the callbacks also draws the plot, and
+# drawing delays the callbacks. So `run` calls `draw_live` only four times a second.
 #
 # [the same without helpers: init, fresh, run]
 
@@ -256,12 +259,13 @@ print("messages without a result:", len(elbow.measured) - len(elbow.filtered))
 # %% [markdown]
 # ### The Butterworth filter
 #
-# The **Butterworth** filter passes slow motion and attenuates motion faster than its cutoff frequency. Its state is two
-# numbers, which depend on its own earlier results.
+# The **Butterworth** filter lets slow motion through and attenuates motion above its cutoff frequency. It computes each
+# result from earlier results as well as from measurements.
 #
-# In `butter(2, ...)`, 2 is the **order**. A higher order separates slow from fast more sharply, but delays the result
-# more. SciPy splits a filter into *second-order sections*, `sos`, because rounding errors stay small that way. Order
-# 2 is one section. `sosfilt` returns its state `zi`, two numbers per section, and we pass it to the next call.
+# In `butter(2, ...)`, 2 is the **order**. A higher order separates slow and fast motion more sharply, but adds delay.
+# SciPy splits a filter into *second-order sections*, `sos`, to keep rounding errors small. A filter of order 2 has one
+# section. Along with the result, `sosfilt` returns the filter's state, two numbers per section. We pass that state to
+# the next call as `zi`.
 
 # %%
 from scipy.signal import butter, sosfilt, sosfilt_zi
@@ -306,30 +310,31 @@ axes.set_title("Less noise costs delay, with either filter")
 show(fig, "noise against delay: both filters fall from little delay to little noise")
 
 # %% [markdown]
-# Neither filter reaches the lower left corner. **Choose by the delay that the robot can afford.** A balance controller
-# can't use an angle that is 0.3 s old, but a display can.
+# The ideal filter would be in the lower left corner of the figure, with little noise and little delay. Neither filter
+# comes close. So **start from the delay that the robot can tolerate.** A balance controller can't use an angle that's
+# 0.3 s old, but a display can.
 #
-# At each delay, the moving average leaves at most as much noise as Butterworth. So why use Butterworth? This noise
-# contains all frequencies equally. But many disturbances on a robot have a single frequency.
+# For the same delay, the Butterworth filter never leaves less noise than the moving average. So why use it? Our noise
+# is an equal mixture of all frequencies, but many disturbances on a robot have a single frequency.
 
 # %% [markdown] prediction="vibrating-motor"
 # ## Change it
 #
 # ### Experiment 1: a vibrating motor
 #
-# A motor shakes the elbow 5.6 times a second, by 0.05 rad. We try two filters with nearly the same delay, 0.2 s: the
-# average of 9, and Butterworth with a cutoff at 1 Hz. How much of the vibration do they leave?
+# A motor shakes the elbow 5.6 times a second, by 0.05 rad. We try two filters with a delay of about 0.2 s: an average
+# of 9 messages, and a Butterworth filter with a 1 Hz cutoff. How much of the vibration does each filter leave?
 #
-# - **a** The average leaves less, as it does with noise.
+# - **a** The average leaves less, as it did with noise.
 #   when `average_left < 0.5 * butterworth_left`
-#   ✗ Noise is a mixture of all frequencies. At a single one, the two filters can rank the other way around.
-# - **b** Both leave nearly the same, because they have the same delay.
+#   ✗ Noise is a mixture of all frequencies. At a single frequency, the other filter can be better.
+# - **b** Both leave about the same, because they have the same delay.
 #   when `average_left >= 0.5 * butterworth_left and average_left <= 2 * butterworth_left`
-#   ✗ The delay belongs to the slow motion. It says little about what a filter does to a fast vibration.
+#   ✗ The delay tells you how a filter affects slow motion. It tells you little about a fast vibration.
 # - **c** Butterworth leaves much less.
 #   when `average_left > 2 * butterworth_left`
-#   ✓ Butterworth leaves less and less, the farther a vibration is above the cutoff. An average of 9 lets some fast
-#   vibrations pass again, because nine messages don't span whole swings of them.
+#   ✓ The farther a vibration is above the cutoff, the less of it the Butterworth filter leaves. The average removes a
+#   vibration only if nine messages span a whole number of its cycles, and here, they don't.
 
 # %%
 predict("vibrating-motor")
@@ -368,25 +373,26 @@ show(
 )
 
 # %% [markdown]
-# At 2.2 Hz and its multiples, the average spans whole swings, so it removes them completely. If you know a disturbance's
-# frequency exactly, and it never changes, an average of the right length is best. A motor's speed changes, so choose
-# Butterworth.
+# At 2.2 Hz and its multiples, nine messages span a whole number of cycles, so the average removes these vibrations
+# completely. If you know a disturbance's exact frequency, and it never changes, an average of the right length is best.
+# But a motor's speed changes, so choose the Butterworth filter.
 
 # %% [markdown] prediction="message-fifty-again"
 # ### Experiment 2: a filter without delay
 #
 # SciPy also has `sosfiltfilt`. It runs the Butterworth filter forward and then backward, so the two delays cancel.
-# Suppose we hold 60 messages and let it compute the result for message 50. Later we hold 100 messages, and ask for
-# message 50 again.
+# Suppose we have 60 messages and compute the result for message 50. Later, we have 100 messages and compute that result
+# again. What do we get?
 #
-# - **a** Message 50 gets the same result, because it has not changed.
+# - **a** The same result, because message 50 hasn't changed.
 #   when `difference < 1e-12`
-#   ✗ That holds for a filter that looks back only, such as `sosfilt`. The way back begins at the newest message.
-# - **b** Message 50 gets another result, because it depends on messages that come later.
+#   ✗ That would be true for a filter that uses only earlier messages, such as `sosfilt`. But the backward pass of
+#   `sosfiltfilt` starts at the newest message.
+# - **b** A different result, because it depends on later messages.
 #   when `difference >= 1e-12`
-#   ✓ On its way back the filter begins with the newest message, so each new one changes what came before.
-# - **c** It fails: `sosfiltfilt` needs all messages of the robot's life.
-#   ✗ It takes any stretch of messages that is long enough, and filters that.
+#   ✓ The backward pass starts at the newest message, so each new message changes earlier results.
+# - **c** An error, because `sosfiltfilt` needs all messages since the robot started.
+#   ✗ `sosfiltfilt` accepts any sequence of messages that is long enough.
 
 # %%
 predict("message-fifty-again")
@@ -416,12 +422,13 @@ for one in (forward, forward_and_back):
 reveal("message-fifty-again", difference=float(abs(early - late)))
 
 # %% [markdown]
-# `sosfiltfilt` and the older `filtfilt` avoid the delay by **using later values**. A callback doesn't have those yet. Use
-# these functions for recordings: to plot a smooth curve, or to compare your live filter with an ideal result.
+# `sosfiltfilt` and the older `filtfilt` avoid the delay by **using later values**. A callback doesn't have those values
+# yet. So use these functions only for recordings: to plot a smooth curve, or to compare your live filter with an ideal
+# result.
 #
-# **Savitzky–Golay** filters look ahead, too. They fit a polynomial to a window of messages, and usually return the value
-# in the *middle* of the window. With `pos=18`, the fit over 19 messages returns the value at the window's *end*, so it
-# needs no later messages. We apply both to a ramp, to noise, and to a step from 0 to 1.
+# **Savitzky–Golay** filters look ahead, too. They fit a polynomial to a window of messages, and usually return the
+# value in the *middle* of the window. With `pos=18`, the fit over 19 messages returns the value at the window's *end*,
+# so it needs no later messages. We test both versions, middle and end, with a ramp, noise, and a step from 0 to 1.
 
 # %% id="line-through-the-last"
 from scipy.signal import savgol_coeffs
@@ -451,14 +458,14 @@ for where, place in (("middle", 9), ("end", 18)):
     )
 
 # %% [markdown]
-# In a callback, the middle of the window is nine messages old, so the centered filter is late after all. At the end,
-# there's no delay on a ramp. The price is **overshoot**: if the joint stops or turns around, the line continues in the
+# In a callback, the middle of the window is nine messages old, so that version does have a delay. The value at the end
+# follows a ramp without delay. The price is **overshoot**: if the joint stops or reverses, the result continues in the
 # old direction for a while.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The state is lost.** This is the most common fault: the callback creates a new filter for each message.
+# **The state is lost.** This is the most common mistake: the callback creates a new filter for each message.
 
 # %% id="memory-lost"
 forgetful = np.array([Butterworth(1.0).step(value) for value in measured])
@@ -467,7 +474,7 @@ print(f"largest change of a measurement: {abs(forgetful - measured).max():.3f} r
 # %% [markdown]
 # There's no error, but nothing is filtered. Create the filter in `__init__`, and keep it in an attribute.
 #
-# **NaN that never leaves.** An encoder reports NaN once, in message 10 of 40. Which results contain NaN?
+# **NaN stays in the filter.** An encoder reports NaN once, in message 10 of 40. Which results contain NaN?
 
 # %% id="nan-stays"
 import math
@@ -481,15 +488,15 @@ for name, one in filters.items():
     print(f"{name}: {number} results are NaN, and the last one is {results[-1]:.1f}")
 
 # %% [markdown]
-# NaN leaves this moving average after five messages, because each mean is computed from the window alone. A filter with
-# feedback computes each result from earlier results, and NaN in any of them makes the next result NaN. Such a filter is
-# called **IIR**, *infinite impulse response*: an input affects all later results. A moving average with a running sum
-# has feedback, too: it adds the newest value and subtracts the oldest, and NaN − NaN is NaN.
+# NaN leaves this moving average after five messages, because each mean depends only on the messages in the window. A
+# filter with feedback computes each result from earlier results, so one NaN makes all later results NaN. Such a filter
+# is called **IIR**, *infinite impulse response*: each input affects all later results. A moving average with a running
+# sum has feedback, too: it adds the newest value and subtracts the oldest, and NaN − NaN is NaN.
 #
 # So check each value *before* any filter, and replace each NaN with the last good value.
 #
-# **Your turn.** Write that line. `np.isfinite(angles)` says which angles are numbers, and `np.where(condition, a, b)` takes
-# a value from `a` where the condition holds, and one from `b` elsewhere.
+# **Your turn.** Write the line that replaces each NaN. `np.isfinite(angles)` is true for each angle that's a finite
+# number. `np.where(condition, a, b)` takes values from `a` where the condition is true, and from `b` elsewhere.
 
 # %% id="your-last-good"
 angles, last_good = np.array([0.3, math.nan, -0.2]), np.array([0.1, 0.7, -0.1])
@@ -499,7 +506,7 @@ cleaned = ...  # TODO: angles, but with the last good value in place of NaN
 yours(cleaned, [0.3, 0.7, -0.2], "np.where(np.isfinite(angles), angles, last_good)")
 
 # %% [markdown]
-# **The filter needs time to settle.** The state begins with zeros, but the joint is at 0.9 rad:
+# **The filter needs time to settle.** Here, the state starts at zero, but the joint is at 0.9 rad:
 
 # %% id="swings-in"
 from_zero = Butterworth(1.0)
@@ -509,15 +516,15 @@ print("begun with zeros:      ", [round(value, 1) for value in first])
 print("begun where the joint is:", round(Butterworth(1.0).step(0.9), 1))
 
 # %% [markdown]
-# For half a second, the filter reports a movement that never happened. `sosfilt_zi(sos) * value` is the state of a
-# filter whose input has been `value` for a long time. The same fault occurs when a source restarts at another position.
-# Then the filter's state is wrong, so reset it.
+# For half a second, the filter reports a movement that never happened. So start from `sosfilt_zi(sos) * value`, the
+# state of a filter whose input has been `value` for a long time. The same fault occurs when a sensor restarts at a
+# different position, because the filter still has its old state. Reset the state after a restart.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** This node filters all twelve joints together. The state is a list of arrays, and the mean is taken over
-# time, `axis=0`.
+# **Worked example.** This node filters all twelve joints together. The state is a `deque` of arrays. With `axis=0`,
+# `np.mean` averages over time.
 
 
 # %%
@@ -549,8 +556,8 @@ kept = sum(stamp in stamps for stamp, _ in scope.filtered[10:30])
 print("answers with the stamp of a measurement:", kept, "of 20")
 
 # %% [markdown]
-# **Twelve joints and `sosfilt`.** One call filters all twelve over time, `axis=0`. The array `memory` holds a separate
-# state for each joint.
+# **Twelve joints and `sosfilt`.** With `axis=0`, one call filters all twelve joints over time. The array `memory` holds
+# a separate state for each joint.
 
 # %% id="twelve-states"
 at_rest = sosfilt_zi(sos)  # 1 section, 2 numbers
@@ -561,9 +568,9 @@ print("state of one joint:", at_rest.shape, "and of twelve:", memory.shape)
 print(f"first results differ by {abs(filtered[0] - angles).max():.1f} rad")
 
 # %% [markdown]
-# **Faded.** Exponential smoothing stores its last result. With each message, the result moves a fixed part of the way
-# toward the measurement. Complete the lines with `...`. With `PART = 0.25`, the result should be 3.0 messages behind, with
-# about 38 % of the noise left.
+# **Fill in the blanks.** Exponential smoothing stores its last result. With each message, the result moves a fixed
+# fraction of the way toward the new measurement. Replace each `...` with your code. With `PART = 0.25`, the result
+# should be 3.0 messages behind, with about 38 % of the noise left.
 
 # %%
 PART = ...  # TODO: between 0 (very calm, very late) and 1 (no filter), such as 0.25
@@ -586,22 +593,23 @@ seen = ... if PART is ... else (delay(Smoothing()), round(noise_left(Smoothing()
 yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 0.25")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/14_arrays_and_filters.ipynb), you write the filter node for twelve joints,
-# with limits on noise and delay. It must survive NaN and an encoder restart.
+# **Your own.** In the [exercise](../exercises/14_arrays_and_filters.ipynb), you write the filter node for twelve
+# joints, with limits on noise and delay. It must survive NaN and an encoder restart.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A fan shakes a joint at 6 to 8 Hz. The result may be 0.2 s late, at 20 messages a second. What do you use?**
+# **1. A fan shakes a joint at 6 to 8 Hz. You get 20 messages a second, and the result may be at most 0.2 s late. Which filter do you choose?**
 #
 # <details><summary>a) An average of 9, because it leaves the least noise</summary>
 #
-# ✗ It does so for noise with all frequencies. Between 6 and 8 Hz, it leaves up to 15 % of a vibration.
+# ✗ That's true for noise, which contains all frequencies. Between 6 and 8 Hz, the average leaves up to 15 % of a
+# vibration.
 #
 # </details>
 # <details><summary>b) Butterworth with a cutoff at 1 Hz</summary>
 #
-# ✓ It's about as late as the average of 9, but leaves 2 % or less of these vibrations.
+# ✓ It's about as late as the average of 9, but it leaves 2 % or less of these vibrations.
 #
 # </details>
 # <details><summary>c) <code>sosfiltfilt</code> in the callback, because it has no delay</summary>
@@ -610,7 +618,7 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # </details>
 #
-# **2. At 50 Hz, a filter may be at most 0.1 s late. How many messages may a moving average span?**
+# **2. At 50 Hz, a filter may be at most 0.1 s late. How many messages can a moving average span?**
 #
 # <details><summary>a) 5</summary>
 #
@@ -628,7 +636,7 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # </details>
 #
-# **3. After one NaN, all results of your Butterworth filter are NaN. What helps?**
+# **3. After one NaN, all results of your Butterworth filter are NaN. What fixes this?**
 #
 # <details><summary>a) <code>np.nan_to_num</code> after the filter</summary>
 #
@@ -637,10 +645,10 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 # </details>
 # <details><summary>b) A lower cutoff frequency</summary>
 #
-# ✗ NaN times anything is NaN, at every frequency.
+# ✗ NaN times anything is NaN, whatever the cutoff frequency.
 #
 # </details>
-# <details><summary>c) Replacing it with the last good value, before the filter</summary>
+# <details><summary>c) Replacing each NaN with the last good value, before the filter</summary>
 #
 # ✓ Then NaN never reaches the state.
 #
@@ -648,9 +656,9 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # **4. Why does `filtfilt` have no delay?**
 #
-# <details><summary>a) It also uses values that come after the one that it computes</summary>
+# <details><summary>a) For each result, it also uses later values</summary>
 #
-# ✓ So use it only for recordings. A callback doesn't have these later values yet.
+# ✓ A callback doesn't have these values yet, so use `filtfilt` only for recordings.
 #
 # </details>
 # <details><summary>b) It's written in C</summary>
@@ -670,40 +678,43 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 # Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid's hands tremble
-# because the joint encoders are noisy, at 100 Hz. I want to filter the angles in a
-# Python node before the balance controller gets them. Which filter would you take, how
-# do I choose its parameters, and what can go wrong? Make sure that every rclpy function
-# you use exists in Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My humanoid's hands
+# tremble because its joint encoders, which I read at 100 Hz, are noisy. I want to
+# filter the angles in a Python node before the balance controller gets them. Which
+# filter would you use, how do I choose its parameters, and what can go wrong? Make sure
+# that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# It asks how much delay the controller tolerates before it names a filter. It compares a moving average or exponential
-# smoothing with a low-order Butterworth filter, by noise *and* delay. It keeps the filter's state in the node and doesn't
-# suggest `filtfilt`. It initializes the state with the first measurement, keeps NaN out, and copies stamps and names. It
-# resets the state when the source restarts. And it asks whether you can reduce the noise at its source.
+# Before it recommends a filter, it asks how much delay the controller tolerates. It compares a moving average or
+# exponential smoothing with a low-order Butterworth filter, in terms of noise *and* delay. It keeps the filter's state
+# in the node and doesn't suggest `filtfilt`. It initializes the state with the first measurement, keeps NaN out, and
+# copies stamps and names. It resets the state when the source restarts. And it asks whether you can reduce the noise at
+# its source.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both in this course's environment, and both are wrong.
 #
-# - **Call `filtfilt` in the callback:** It also runs over the samples backward, so it needs samples that haven't arrived
-#   yet. Its last value changes with the next message.
-# - **Call `savgol_filter` on the last samples, because it has no delay:** It's centered. For the newest samples, it
-#   reads the last window's fit at other places, so each of these results changes with the next message.
+# - **Call `filtfilt` in the callback:** It runs over the samples backward as well as forward, so it needs samples that
+#   haven't arrived yet. Its result for the newest message changes when the next one arrives.
+# - **Call `savgol_filter` on the last samples, because it has no delay:** It centers a window on each sample. There's
+#   no full window around the newest samples, so it evaluates the polynomial that it fitted to the last full window.
+#   Their results change when the next message arrives.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - `np.array(message.position)` copies the angles into an array, and `.tolist()` turns an array into a list for the field.
+# - `np.array(message.position)` copies the angles into an array, and `.tolist()` turns an array back into a list.
 # - A filter in a callback needs state that outlives the callback. Initialize that state with the first measurement.
-# - An average of N leaves 1/√N of the noise and is (N − 1)/2 messages behind. Choose the delay first.
-# - At a single frequency far above the cutoff, Butterworth leaves less than an average with the same delay.
+# - An average of N messages leaves 1/√N of the noise and is (N − 1)/2 messages behind. Choose the delay first.
+# - Far above its cutoff, a Butterworth filter usually suppresses a vibration better than an average with the same
+#   delay.
 # - `filtfilt` avoids the delay by using later values, so it's only for recordings.
 #
 # **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)

@@ -8,8 +8,8 @@
 # - **You need:** lesson [14](14_arrays_and_filters.ipynb)
 # - **You will be able to:**
 #   - predict whether writing to an array changes the message
-#   - choose a way to convert, by its cost
-# - **Left out:** how C++ nodes share memory
+#   - choose a conversion based on its cost
+# - **Not covered:** how C++ nodes share memory
 
 # %% [markdown]
 # This whole notebook is optional: later lessons don't depend on it.
@@ -26,14 +26,14 @@
 #
 # What does the last line print?
 #
-# - **a** `0.1`: the array is a copy.
+# - **a** `0.1`, because the array is a copy.
 #   when `first < 1.0`
-#   ✗ `np.array` would copy. `np.asarray` takes the memory that is there, if it can.
-# - **b** Nothing: NumPy raises an error, because messages are read-only.
-#   ✗ Fields of a message can be written to, by their name and through an array that shares their memory.
-# - **c** `9.0`: array and message share their memory.
+#   ✗ `np.array` would copy the values. `np.asarray` uses the message's memory, if it can.
+# - **b** Nothing, because NumPy raises an error: messages are read-only.
+#   ✗ Message fields are writable, both by name and through an array that shares their memory.
+# - **c** `9.0`, because the array and the message share memory.
 #   when `first > 1.0`
-#   ✓ The array looks at the memory of the message, so each shows what was written into the other.
+#   ✓ The array is a view of the message's memory, so a value written to either one appears in the other.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -63,8 +63,8 @@ reveal("array-of-a-message", first=message.position[0])
 # `np.asarray` created a **view**: an array that uses the message's memory instead of its own. `np.array` created a
 # **copy**. A view costs almost nothing, but writing to a view changes the message.
 #
-# So use `np.asarray` for reading, and `np.array` as soon as you write. Which other code sees your change? In this
-# example, two subscriptions in one process subscribe to the same topic. The first callback writes through a view:
+# So use `np.asarray` if you only read, and `np.array` if you also write. Which other code sees your change? In this
+# example, one node has two subscriptions to the same topic. The first callback writes through a view:
 
 # %% id="own-object"
 from rclpy.node import Node
@@ -101,13 +101,14 @@ for name, messages in two.got.items():
     print(f"{name}: the first angle is 9.0 in {changed} of 5 messages")
 
 # %% [markdown]
-# rclpy creates a new Python object for **each subscription**. Other callbacks and other nodes don't see your change. Only
-# code that gets *this* object from you does: a list that stores it, a method that receives it, or a publisher that
-# sends it.
+# rclpy creates a new Python object for **each subscription**. Other callbacks and other nodes don't see your change.
+# The change goes only where *this* object goes: into a list that stores it, a method that receives it, or a publisher
+# that sends it.
 #
-# For a field whose **length may vary**, rclpy stores numbers in an `array.array` from Python's standard library. There,
-# the numbers lie next to each other in memory, without a Python object for each. That's why a view works. A field of
-# **fixed length** is already a NumPy array. The field's type determines the **dtype**, the type of the array's numbers.
+# For a field whose **length may vary**, rclpy stores numbers in an `array.array` from Python's standard library. Such
+# an array keeps its numbers next to each other in memory, without a Python object for each. That's why a view works. A
+# field of **fixed length** is already a NumPy array. The field's type determines the **dtype**, the type of the array's
+# numbers.
 
 # %% id="dtypes"
 from sensor_msgs.msg import Imu, LaserScan
@@ -130,10 +131,10 @@ print("nearest obstacle:", ranges[np.isfinite(ranges)].min(), "m")
 # `Float32MultiArray` and `LaserScan` hold 32-bit numbers, so 0.1 comes back rounded. A laser scanner reports `inf` in
 # directions where it detects nothing.
 #
-# How do you convert an array back? A field of fixed length accepts a NumPy array. A field of variable length accepts one
-# in the constructor: `JointState(position=angles)`. Only the assignment `message.position = angles` raises an error, and
-# only while **field checks** are on, as in these notebooks. In a node that you start with `ros2 run`, they're off. Two
-# ways always work: `.tolist()`, and an `array.array` created from the array's bytes.
+# How do you convert an array back? A field of fixed length accepts a NumPy array. A field of variable length accepts
+# one in the constructor: `JointState(position=angles)`. Only the assignment `message.position = angles` raises an
+# error, and only while **field checks** are on, as in these notebooks. In a node that you start with `ros2 run`,
+# they're off. Two conversions always work: `.tolist()`, and an `array.array` created from the array's bytes.
 
 # %% id="and-back"
 import array
@@ -146,9 +147,10 @@ print("by bytes:  ", message.position)
 print("constructor:", JointState(position=angles).position)
 
 # %% [markdown]
-# What does each conversion cost? We measure every way for twelve angles, for a laser scan of 10,000 values, and for a
-# million values. A camera image has about a million. "One by one" handles each number in Python, but "in one piece" doesn't.
-# Field checks are off here, as under `ros2 run`. With them, "in, one by one" takes several times as long.
+# What does each conversion cost? We time each one for twelve angles, for a laser scan of 10,000 values, and for a
+# million values, roughly a camera image. In the output, "in" means into a message, and "out" means out of one. "One by
+# one" creates a Python object for each number, but "in one piece" doesn't. Field checks are off here, as under
+# `ros2 run`. With field checks on, "in, one by one" takes several times as long.
 
 # %% tags=["nbval-ignore-output"]
 from timeit import repeat
@@ -220,9 +222,10 @@ show(
 )
 
 # %% [markdown]
-# For twelve joints, write the most readable code: `.tolist()`. For images and scans, avoid every loop over single numbers.
+# For twelve joints, write the most readable code: `.tolist()`. For images and scans, don't loop over individual
+# numbers.
 #
-# **Your turn.** This scan has 10,000 distances. Write the line that gives the number of those below 1 m, without a loop.
+# **Your turn.** This scan has 10,000 distances. Write the line that counts the distances below 1 m, without a loop.
 
 # %% id="your-near"
 from workbook.lesson import yours
@@ -244,9 +247,11 @@ angles[:] = [0.9, 1.7, -0.4]
 print(angles)
 
 # %% [markdown]
-# NumPy drops each angle's fraction, without an error or a warning. `np.zeros(3)` creates a `float64` array.
+# NumPy truncates each angle to a whole number, without an error or a warning. Use `np.zeros(3)`, which creates a
+# `float64` array.
 #
-# **A message with a view can't grow.** While a view uses its memory, an `array.array` can't change its size:
+# **Appending to a field while a view of it exists.** While a view uses its memory, an `array.array` can't change its
+# size:
 
 # %% id="buffer-error" tags=["raises-exception"]
 message = JointState(position=[0.1, 0.2, 0.3])
@@ -260,10 +265,10 @@ message.position.append(0.4)
 # ## Take away
 #
 # - `np.asarray` uses the message's memory, and `np.array` copies it. Write only to copies.
-# - Each subscription gets a separate message object, so other callbacks don't see what you write.
-# - A variable-length field accepts an array in the constructor. `message.position = angles` fails while field checks are
-#   on, so use `.tolist()` or an `array.array`.
-# - For twelve values, use the most readable way. For a million, don't handle them one by one.
+# - Each subscription gets a separate message object, so other callbacks don't see your changes.
+# - A variable-length field accepts an array in the constructor. But the assignment `message.position = angles` fails
+#   while field checks are on, so use `.tolist()` or an `array.array`.
+# - For twelve values, use the most readable conversion. Don't handle a million values one by one.
 #
 # **Before:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
 #

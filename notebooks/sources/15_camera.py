@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 15 · A camera
 #
-# A 640 × 480 color camera sends almost a million bytes per image, thirty times a second. To look at a ball, a robot needs
-# just two angles: one left or right, and one up or down. How do you get from pixels to those angles, and how does the
+# A 640 × 480 color camera sends almost a million bytes per image, thirty times a second. To look at a ball, a robot
+# needs just two angles: one horizontal and one vertical. How do you get from pixels to those angles, and how does the
 # head use them to follow the ball?
 #
 # - **Minutes:** 45
@@ -12,11 +12,11 @@
 #   - find a ball by its color and shape
 #   - turn a pixel into a direction
 #   - make the head follow the ball
-# - **Left out:** lens distortion and calibration, depth, neural networks (lesson 16)
+# - **Not covered:** lens distortion and calibration, depth, neural networks (lesson 16)
 #
-# Here's the view from the robot's head. An orange ball rolls across a desk, two orange bricks lie behind it, and passing
-# clouds change the light. The hands at the bottom are the robot's own: the camera node draws them using the positions
-# published on `/robot/joint_positions` (lesson 09).
+# Here's the view from the robot's head. An orange ball rolls across a desk, two orange bricks lie behind it, and
+# passing clouds change the light. The hands at the bottom are the robot's own: the camera node draws them using the
+# positions published on `/robot/joint_positions` (lesson 09).
 
 # %%
 from lesson_nodes import head_camera
@@ -37,9 +37,9 @@ show_film(
 )
 
 # %% [markdown]
-# Each frame of that clip arrived as a `sensor_msgs/Image` message. Let's print one message's fields. To get the same
-# numbers in every run, we freeze the camera: it publishes frame 20 over and over. This camera also pads each row with
-# 32 unused bytes, as some real cameras do.
+# Each frame of the clip above arrived as a `sensor_msgs/Image` message. Let's print one message's fields. To get the
+# same numbers in every run, we freeze the camera: it publishes frame 20 over and over. This camera also pads each row
+# with 32 unused bytes, as some real cameras do.
 
 # %% id="fields"
 from rclpy.node import Node
@@ -68,11 +68,11 @@ print(
 print(f"data: {len(image.data)} bytes")
 
 # %% [markdown]
-# <details><summary>The same without helpers</summary>
+# <details><summary>How to do this without the helper functions</summary>
 #
 # `start(head_camera, frozen=20)` runs `python -m lesson_nodes.head_camera --ros-args -p frozen:=20` as a process, and
-# `stop` ends that process as Ctrl-C would. `fresh` creates a node, and first destroys the node that an earlier run of the
-# cell created. In plain rclpy, the rest of the cell is:
+# `stop` ends that process as Ctrl-C would. `fresh` destroys the node that an earlier run of the cell created, and then
+# creates a new one. In plain rclpy, the rest of the cell is:
 #
 # ```python
 # rclpy.init()
@@ -84,7 +84,8 @@ print(f"data: {len(image.data)} bytes")
 # rclpy.try_shutdown()
 # ```
 #
-# `run` also spins until its condition holds, but it keeps the notebook's buttons working, and gives up after `seconds`.
+# Like this loop, `run` spins until its condition holds, but it keeps the notebook's buttons working and gives up after
+# `seconds`.
 #
 # </details>
 #
@@ -108,9 +109,9 @@ show(
 )
 
 # %% [markdown]
-# To index it by row and column, reshape it into rows of `step` bytes. Then cut off the padding.
+# To index `data` by row and column, reshape it into rows of `step` bytes. Then cut off the padding.
 #
-# **Your turn.** The first step is there. Write the slice that keeps only the bytes of the pixels.
+# **Your turn.** The first step is done for you. Write the slice that keeps only the pixel bytes.
 
 # %% id="your-slice"
 import numpy as np
@@ -127,8 +128,8 @@ yours(
 )
 
 # %% [markdown]
-# Here is the whole conversion. The last step groups the bytes into pixels of three. The result is a **view**: an
-# array that uses the message's memory, so nothing is copied.
+# Here is the whole conversion. The last step groups the bytes into pixels of three bytes each. The result is a
+# **view**: an array that uses the message's memory, so nothing is copied.
 
 # %% id="to-pixels"
 def to_pixels(image):
@@ -165,7 +166,7 @@ predict("read-as-bgr8")
 # %% [markdown]
 # ## Run it
 #
-# We take the average over the ball's pixels, and read it in both orders.
+# We compute the average color of the ball's pixels and interpret it both ways, as `rgb8` and as `bgr8`.
 
 # %% id="bgr-for-rgb"
 import cv2
@@ -185,17 +186,17 @@ show(
 reveal("read-as-bgr8", red=third, green=second, blue=first)
 
 # %% [markdown]
-# There's no exception and no warning. Your code is just wrong, thirty times a second. So check `encoding` in every image
-# callback, and choose the conversion that matches it.
+# There's no exception and no warning. Your code is just wrong, thirty times a second. So check `encoding` in every
+# image callback, and choose the conversion that matches it.
 
 # %% [markdown]
 # ## Look inside
 #
 # ### Find the ball
 #
-# Which pixels are orange? RGB values don't tell you directly, because a passing cloud changes all three of them. **HSV**
-# separates color from brightness. *Hue* is the position on the color wheel, *saturation* is how vivid the color is, and
-# *value* is how bright it is.
+# Which pixels are orange? RGB values don't tell you directly, because a passing cloud changes all three of them.
+# **HSV** separates color from brightness. *Hue* is the position on the color wheel, *saturation* is how vivid the color
+# is, and *value* is how bright it is.
 
 # %%
 show(
@@ -231,7 +232,7 @@ for light, number in (("dark", 175), ("bright", 75)):
 
 # %% [markdown]
 # In the dark frame, the value is more than a third lower, but the hue differs by only 1. So a **threshold** on hue and
-# saturation, with a low minimum for value, finds the orange pixels in dark and bright frames alike.
+# saturation, plus a low minimum for value, finds the orange pixels in dark and bright frames alike.
 
 # %%
 show(
@@ -289,13 +290,14 @@ show(
 
 # %% [markdown]
 # `find_ball` returns the ball's center. The center is an average over many pixels, so it's accurate to a fraction of a
-# pixel. If no blob is round, the function returns `None`. Plan for that: sooner or later, someone will pick up the ball.
+# pixel. If no blob is round, the function returns `None`. Plan for that: sooner or later, someone will pick up the
+# ball.
 #
 # ### From a pixel to a direction
 #
 # The **pinhole model** treats the camera as a box with a tiny hole in the front. Light travels in a straight line from
-# the ball, through the hole, onto the image plane inside. The *focal length* is the distance from the hole to that plane,
-# in units of one pixel's width: 560 px for this camera.
+# the ball, through the hole, onto the image plane inside. The *focal length* is the distance from the hole to that
+# plane, measured in pixel widths: 560 px for this camera.
 
 # %%
 show(
@@ -306,9 +308,9 @@ show(
 
 # %% [markdown]
 # So a pixel that's `x` columns to the right of the center and `y` rows below it corresponds to the direction (`x`, `y`,
-# 560). Divide that vector by its length to get a unit vector: a direction of length 1. Its components follow the ROS axis
-# convention for cameras ([REP 103](https://www.ros.org/reps/rep-0103.html), *optical* frames): x points right, y down,
-# and z forward.
+# 560). Divide that vector by its length to get a unit vector: a direction of length 1. Its components follow the ROS
+# axis convention for cameras ([REP 103](https://www.ros.org/reps/rep-0103.html), *optical* frames): x points right, y
+# down, and z forward.
 
 # %% id="pinhole"
 import math
@@ -343,9 +345,9 @@ print("ball:      ", angles(*find_ball(pixels)))
 #
 # ### Close the loop
 #
-# Now connect the camera to the neck. For each image, the node finds the ball, computes its angle, and turns the neck by a
-# quarter of that angle. The next image shows the remaining error, and the node corrects a quarter of that, too. This is a
-# **feedback loop**, and the factor of a quarter is its **gain**.
+# Now connect the camera to the neck. For each image, the node finds the ball, computes its angle, and turns the neck by
+# a quarter of that angle. The next image shows the remaining error, and the node corrects a quarter of that, too. This
+# is a **feedback loop**, and the factor of a quarter is its **gain**.
 
 # %%
 from workbook.pictures.graph import draw
@@ -364,8 +366,8 @@ show(
 )
 
 # %% [markdown]
-# **Your turn.** Write the line that turns the neck. The neck's angle grows to the left, but the ball's angle grows to
-# the right.
+# **Your turn.** Write the line that turns the neck. The neck's angle is positive to the left, but the ball's angle is
+# positive to the right.
 
 # %% id="your-turn-of-the-neck"
 GAIN = 0.25
@@ -379,8 +381,8 @@ def turned(neck, ball_angle):
 yours(turned(0.0, 0.2), -0.05, "A ball on the right makes the neck's angle smaller.")
 
 # %% [markdown]
-# The follower has this line in its callback. It also notes each error, in pixels. First, we create its subscription with
-# just a queue depth of 1 instead of a QoS profile.
+# The callback of the `HeadFollower` node uses this formula, and it records each error in pixels. First, we create the
+# node's subscription with just a queue depth of 1 instead of a QoS profile.
 
 # %% id="reliable-gets-nothing"
 from std_msgs.msg import Float32MultiArray
@@ -428,8 +430,8 @@ print("images received in 3 s:", len(follower.errors_px) + follower.lost)
 # the next one is due in 33 ms anyway. A subscription created with only a depth requests *reliable*, so its QoS is
 # incompatible with the camera's (lesson 13). Use `qos_profile_sensor_data` instead, which requests best effort.
 #
-# From here on, the camera takes an image only after the neck's answer to the last one. Otherwise, a busy computer would
-# make some images old by chance.
+# From here on, the camera takes each image only after the neck has responded to the previous one. Otherwise, on a busy
+# computer, some images would arrive late, and the results would vary.
 
 # %% id="follow"
 from workbook.lesson import about
@@ -467,17 +469,17 @@ show_film(
 )
 
 # %% [markdown]
-# Without the loop, the ball would wander up to 250 px from the center. The node needs neither the ball's distance nor the
-# exact angle to turn. Because the camera is tilted, the neck must turn 15.7° to center a ball at 14.2°. Later corrections
-# make up the difference.
+# Without the loop, the ball would wander up to 250 px from the center. The node doesn't need to know how far away the
+# ball is, or exactly how far to turn. Because the camera is tilted, centering a ball that appears 14.2° to the left
+# takes a turn of 15.7°. But later corrections make up the difference.
 
 # %% [markdown] prediction="smaller-gain"
 # ## Change it
 #
 # ### Experiment 1: a smaller gain
 #
-# The gain was 0.25. With 0.05, the node corrects only a twentieth of the error per image. How far from the center is the
-# ball now?
+# The gain was 0.25. With 0.05, the node corrects only a twentieth of the error per image. How far from the center is
+# the ball now?
 #
 # - **a** About as far as before: thirty corrections a second add up.
 #   when `lost_share < 0.5 and error_px < 1.5 * error_before_px`
@@ -489,7 +491,8 @@ show_film(
 #   stops growing.
 # - **c** Clearly farther, but it stays in the image.
 #   when `error_px >= 1.5 * error_before_px and lost_share < 0.5`
-#   ✓ The head falls behind until the correction per image, a twentieth of the error, equals the ball's motion per image.
+#   ✓ The head falls behind until the correction per image, a twentieth of the error, equals the ball's motion per
+#   image.
 
 # %%
 predict("smaller-gain")
@@ -517,8 +520,8 @@ reveal(
 #
 # - **a** It swings past the ball, back and forth.
 #   when `error_px >= 2 * error_before_px`
-#   ✓ Each turn is based on an image taken before the last three turns. The node corrects the same error several times, so
-#   the head overshoots.
+#   ✓ Each turn is based on an image that doesn't show the last three turns yet. So the node corrects the same error
+#   several times, and the head overshoots.
 # - **b** It follows the ball closely, 0.1 s behind.
 #   when `error_px < 2 * error_before_px and error_px > 0.5 * error_before_px`
 #   ✗ A delay in a feedback loop doesn't just shift the motion in time. The node keeps reacting to errors that it has
@@ -557,7 +560,7 @@ show_film(
 reveal("large-gain-old-images", error_px=error_px, error_before_px=error_before_px)
 
 # %% [markdown]
-# Is the gain to blame, or are the old images? Let's change one of them at a time.
+# Which is to blame, the gain or the old images? Let's change one at a time.
 
 # %%
 late = fresh(LateFollower, qos_profile_sensor_data, gain=0.25)
@@ -575,14 +578,14 @@ for name, off in {
 
 # %% [markdown]
 # The loop is like a shower that reacts ten seconds late: you turn the knob too far, then too far back. A smaller gain
-# helps, and so do fresher images. With `QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)`, only the newest
-# image waits in the queue.
+# helps, and so do fresher images. With `QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)`, only the
+# newest image waits in the queue.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Ignoring `step`.** This code assumes rows of `3 * width` bytes. Each row is really 32 bytes longer, so the error grows
-# by 32 bytes with every row.
+# **Ignoring `step`.** This code assumes rows of `3 * width` bytes. But each row is really 32 bytes longer, so the error
+# grows by 32 bytes with every row.
 
 # %% id="step-ignored"
 skewed = np.frombuffer(image.data, np.uint8)[: image.height * image.width * 3]
@@ -599,11 +602,11 @@ show(
 )
 
 # %% [markdown]
-# The image dissolves into stripes. To repair it, reshape to `(height, step)` first, as `to_pixels` does.
+# The image dissolves into stripes. To fix this, reshape to `(height, step)` first, as `to_pixels` does.
 #
 # **Calling `cv2.imshow` in a callback.** Displaying an image takes time in the thread that runs your callbacks. It also
-# needs an OpenCV build with GUI support. Ubuntu's `python3-opencv` is such a build, but PyPI's `opencv-python-headless`,
-# which this course installs, isn't.
+# needs an OpenCV build with GUI support. Ubuntu's `python3-opencv` is such a build, but PyPI's
+# `opencv-python-headless`, which this course installs, isn't.
 
 # %% id="imshow" tags=["raises-exception"]
 cv2.imshow("camera", pixels)
@@ -614,8 +617,8 @@ cv2.imshow("camera", pixels)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** When you publish a direction, copy the header of the image that it came from. The header contains the stamp,
-# so subscribers know *when* the ball was there.
+# **Worked example.** When you publish a direction, copy the header of the image that it came from. The header contains
+# the stamp, so subscribers know *when* the ball was there.
 
 # %% id="worked"
 from geometry_msgs.msg import Vector3Stamped
@@ -629,7 +632,7 @@ print(f"direction ({vector.x:.2f}, {vector.y:.2f}, {vector.z:.2f})")
 print(f"axes: {message.header.frame_id}, {apart:.1f} s from the image's stamp")
 
 # %% [markdown]
-# **Faded.** Convert an image to HSV according to its encoding. The dictionary is yours.
+# **Fill in the blanks.** Convert an image to HSV according to its encoding. Write the dictionary of conversion codes.
 
 # %% id="your-codes"
 # TODO: from encoding to constant, such as {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": ...}.
@@ -709,7 +712,7 @@ else:
 #
 # </details>
 #
-# **4. Your robot's head swings past the ball, back and forth. What helps?**
+# **4. Your robot's head swings past the ball, back and forth. What reduces the swinging?**
 #
 # <details><summary>a) A larger gain</summary>
 #
@@ -739,12 +742,12 @@ else:
 # angle for the neck? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# It handles `encoding` and `step`, or uses a converter that does. It subscribes with sensor-data QoS and a short queue. It
-# finds the ball by hue and shape rather than brightness, and says what to publish when there's no ball. It takes the
-# focal length from `CameraInfo` and states which way the direction's axes point. It copies the image's stamp. It corrects
-# only part of the error with each image, and mentions that a delay can make the head swing.
+# It handles `encoding` and `step`, or uses a converter that does. It subscribes with sensor-data QoS and a short queue.
+# It finds the ball by hue and shape rather than brightness, and says what to publish when there's no ball. It takes the
+# focal length from `CameraInfo` and states which way x, y, and z point. It copies the image's stamp. It corrects only
+# part of the error with each image, and mentions that a delay can make the head swing.
 #
 # </details>
 #
@@ -752,11 +755,11 @@ else:
 #
 # Watch for these two suggestions. We tested both in this course's environment, and both failed.
 #
-# - **`from cv_bridge import CvBridge`:** cv_bridge is a separate ROS package, and this course doesn't install it. If it's
-#   installed on your system, use it: it handles encodings and byte order. `np.frombuffer` alone handles neither, and our
-#   `to_pixels` adds only `step`.
-# - **`np.array(msg.data).reshape(height, width, 3)`:** This ignores `step` and `encoding`. With padded rows, it raises an
-#   error. With `bgr8`, it returns an array in which red and blue are swapped.
+# - **`from cv_bridge import CvBridge`:** cv_bridge is a separate ROS package, and this course doesn't install it. If
+#   it's installed on your system, use it: it handles encodings and byte order. `np.frombuffer` alone handles neither,
+#   and our `to_pixels` handles only `step`.
+# - **`np.array(msg.data).reshape(height, width, 3)`:** This ignores `step` and `encoding`. With padded rows, it raises
+#   an error. With `bgr8`, it returns an array in which red and blue are swapped.
 #
 # </details>
 

@@ -5,22 +5,24 @@
 #
 # - **Minutes:** 10
 # - **You need:** lesson [15](15_camera.ipynb)
-# - **You will be able to:** choose between raw and compressed images, and explain why images get old
-# - **Left out:** video codecs
+# - **You will be able to:** choose between raw and compressed images, and explain why a slow subscriber receives old
+#   images
+# - **Not covered:** video codecs
 
 # %% [markdown] prediction="how-much-smaller"
 # ## Predict
 #
-# At 30 Hz, raw images of 921,600 bytes (without padding) add up to 27.6 MB/s. A `CompressedImage` carries a JPEG instead.
-# At quality 80, how many times smaller are our desk images?
+# At 30 Hz, raw images of 921,600 bytes (without padding) add up to 27.6 MB/s. A `CompressedImage` carries a JPEG
+# instead. At quality 80, how many times smaller are our desk images?
 #
 # - **a** More than 8 times.
 #   when `smaller > 8`
-#   ✓ JPEG drops detail that eyes hardly notice. The price is time to encode and decode, and a small error in every color.
+#   ✓ JPEG drops detail that the eye hardly notices. The price is time to encode and decode, and a small error in every
+#   color.
 # - **b** 2 to 8 times.
 #   when `smaller <= 8 and smaller >= 2`
 #   ✗ JPEG does better, because it drops most of the noise. A lossless format such as PNG has to keep it.
-# - **c** Hardly smaller, because of the noise.
+# - **c** Barely smaller, because of the noise.
 #   when `smaller < 2`
 #   ✗ JPEG doesn't preserve the noise. That's why the image gets so small.
 
@@ -32,7 +34,8 @@ predict("how-much-smaller")
 # %% [markdown]
 # ## Run it
 #
-# The camera holds still, so every image has the same size. We also note how old each image is once it can be used.
+# The camera publishes the same frame over and over, so all raw images have the same size, and so do all JPEGs. We also
+# record how old each image is by the time it's ready to use.
 
 # %% id="weigh"
 import time
@@ -101,8 +104,8 @@ show(
 )
 
 # %% [markdown]
-# JPEG's factor is specific to this synthetic desk, which is mostly smooth surfaces; expect a smaller one in a cluttered
-# room. The raw 27.6 MB/s is 220 Mbit/s, more than many Wi-Fi networks carry.
+# This compression ratio is specific to our synthetic desk, which is mostly smooth surfaces; expect a lower one in a
+# cluttered room. At 27.6 MB/s, the raw images need 220 Mbit/s, more than many Wi-Fi networks can carry.
 
 # %% [markdown]
 # ## Look inside
@@ -141,11 +144,12 @@ print(
 )
 
 # %% [markdown]
-# `publish` never waits for a subscriber's callback, and each subscription has its own queue. So the detector's images get
-# old, while the viewer's stay fresh. That's why the problem is hard to spot: everything but the detector looks fine.
+# `publish` never waits for a subscriber's callback, and each subscription has its own queue. So the detector receives
+# old images, while the viewer receives fresh ones. That's why the problem is hard to spot: everything but the detector
+# looks fine.
 #
-# **Your turn.** The detector's queue is full: 30 images are waiting. How much time lies between the oldest and the newest
-# of them?
+# **Your turn.** The detector's queue is full: 30 images are waiting. How much older is the oldest of them than the
+# newest?
 
 # %% id="your-queue"
 from workbook.lesson import yours
@@ -156,15 +160,15 @@ queue_spans_s = ...  # TODO: from DEPTH and PERIOD_S, in seconds
 yours(queue_spans_s, 29 / 30, "30 images have 29 intervals between them.")
 
 # %% [markdown]
-# The fix is a queue depth of 1. Reliable QoS wouldn't help. DDS acknowledges an image when it enters the queue, not when
-# your callback has handled it. On the loopback interface, where no packets were lost, the camera sent as many image bytes
-# with reliable QoS as with best effort.
+# The fix is a queue depth of 1. Reliable QoS wouldn't help. DDS acknowledges an image when it enters the queue, not
+# when your callback has handled it. So a slow callback doesn't make the camera resend anything. On the loopback
+# interface, where no packets were lost, the camera sent as many image bytes with reliable QoS as with best effort.
 
 # %% [markdown]
 # ## Take away
 #
 # - Compression ratios depend on the scene. Measure yours, and check that your color thresholds still work.
-# - Each subscription has its own queue, so a slow subscriber doesn't delay the images of other processes.
+# - Each subscription has its own queue, so a slow subscriber doesn't delay the images that other processes receive.
 #
 # **Before:** [15 · A camera](15_camera.ipynb)
 #

@@ -6,13 +6,13 @@
 #
 # - **Minutes:** 45
 # - **You need:** lessons [10](10_slow_callbacks.ipynb) and [15](15_camera.ipynb)
-# - **You will be able to:** run a trained network in a node, measure and explain the age of its outputs, and notice silent
-#   faults
-# - **Left out:** how networks learn, graphics cards, tracking objects from image to image
+# - **You will be able to:** run a trained network in a node, explain the age of its outputs, and catch faults that
+#   raise no error
+# - **Not covered:** how networks learn, graphics cards, tracking objects from image to image
 
 # %% [markdown]
 # Everything on this desk is orange: a ball, a cup, a plate, and a brick. Color doesn't distinguish them, so lesson 15's
-# tracker would fail. But a small neural network can tell them apart. Watch the box around the ball.
+# tracker would fail. But a small neural network can tell them apart. In the clip, watch the box around the ball.
 
 # %%
 from lesson_nodes import toy_camera, toy_detector
@@ -46,7 +46,7 @@ show_film(
 )
 
 # %% [markdown]
-# The boxes around the cup, the plate, and the brick fit. The ball's box lags behind, because the ball kept rolling
+# The boxes around the cup, the plate, and the brick fit well. The ball's box lags behind, because the ball kept rolling
 # while the network was running. Our network is small and needs only a few milliseconds. To imitate a large one, the
 # node takes 0.2 s per image and sleeps for most of that time.
 #
@@ -55,20 +55,22 @@ show_film(
 # %% [markdown] prediction="box-at-depth-10"
 # ## Predict
 #
-# The film shows a subscription with a queue depth of 1. A colleague types 10, as in most examples. Thirty pictures come
-# each second, and five are handled. How far behind the ball is its box now, compared with before?
+# In the clip, the detector's subscription had a queue depth of 1. A colleague changes it to 10, the depth in most
+# examples. Each second, 30 images arrive, but the detector handles only five. How far does the box lag behind the ball
+# now, compared with before?
 #
-# - **a** About ten times as far: ten pictures wait instead of one.
+# - **a** About ten times as far: ten images wait instead of one.
 #   when `far >= 4 * near`
-#   ✗ The ten that wait are the newest ones. At 30 Hz the oldest of them is a third of a second old, and not ten times
+#   ✗ The queue keeps the newest ten images. At 30 Hz, the oldest of them is only a third of a second old, not ten times
 #   0.2 s.
-# - **b** Hardly further: the network takes its 0.2 s at any depth.
+# - **b** About as far as before: the network takes 0.2 s, whatever the depth.
 #   when `far < 1.4 * near`
-#   ✗ The network takes as long as before. But it begins with a picture that has waited for a third of a second.
+#   ✗ The network takes as long as before, but its input is older: each image has been in the queue for a third of a
+#   second.
 # - **c** About twice as far.
 #   when `far >= 1.4 * near and far < 4 * near`
-#   ✓ The network gets the oldest of ten pictures. At 30 Hz it has waited for a third of a second. Then the network takes
-#   its 0.2 s, as before.
+#   ✓ The network gets the oldest of the ten images in the queue. At 30 Hz, that image has waited for a third of a
+#   second. Then the network takes its 0.2 s, as before.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -86,7 +88,7 @@ show_film(
 )
 
 # %% [markdown]
-# How far does the box lag behind? To find out, we run the same network again on each image of the two films, this time
+# How far does the box lag behind? To find out, we run the same network again on each image of the two clips, this time
 # without a delay.
 
 # %% id="how-far-behind"
@@ -130,12 +132,13 @@ print(inspect.getsource(toy_detector.ToyDetector.answer))
 
 # %% [markdown]
 # The node publishes each detection as a *marker* with the image's header. The marker's `ns` holds the label, and its
-# position is in pixels. The option `stamps_now` deliberately introduces a fault, whose effect a later section shows.
+# position is in pixels. The option `stamps_now` switches on a deliberate fault. You'll see its effect under *When it
+# goes wrong*.
 #
 # The network takes `float32` values from 0 to 1, not bytes from 0 to 255. In its input array, the color axis comes
 # before the rows and columns, not after them. The size is always 160 by 120 pixels. The library that runs the network,
-# **ONNX Runtime**, rejects any other number type or shape. But it checks neither the range of the values nor the order
-# of the colors.
+# **ONNX Runtime**, rejects any other data type or shape. But it checks neither the range of the values nor the order of
+# the colors.
 
 # %% id="input"
 from workbook.lesson import about
@@ -174,17 +177,18 @@ print("SHA-256 of the file:", made["sha256"]["desk_detector.onnx"][:12], "...")
 #
 # ### Experiment 1: the depth of the queue
 #
-# The network takes 0.2 s, and a picture comes every 0.033 s. With a depth of 1, how old is a typical output?
+# The network takes 0.2 s per image, and an image arrives every 0.033 s. With a depth of 1, how old is a typical output?
 #
-# - **a** 0.03 s: it is about the newest picture.
+# - **a** 0.03 s: the network always gets the newest image.
 #   when `age < 0.2`
-#   ✗ It was the newest one when the network began. Then the network took its time.
+#   ✗ The image was the newest one when the network started. The output is older, because the network then took 0.2 s.
 # - **b** A little more than 0.2 s.
 #   when `age >= 0.2 and age < age_at_10`
-#   ✓ The waiting picture is replaced whenever a newer one comes. So it is at most 0.033 s old when the network begins.
-# - **c** 0.4 s: a picture waits until the one before it is done.
+#   ✓ Each new image replaces the waiting one. So the image is at most 0.033 s old when the network starts.
+# - **c** 0.4 s: each image waits until the network has finished the previous one.
 #   when `age >= age_at_10`
-#   ✗ A full queue drops its oldest picture. So the one that waits is new.
+#   ✗ While the network is running, new images keep replacing the one in the queue. So the waiting image is always
+#   fresh.
 
 # %%
 predict("age-at-depth-1")
@@ -224,23 +228,25 @@ show(
 # %% [markdown]
 # Once the queue is full, each new image waits behind the others. At 30 Hz, a full queue of *n* images spans *n*/30 s.
 # With a depth of 50, the queue takes about two seconds to fill, so a shorter test doesn't reveal the problem. Until the
-# queue is full, the robot's outputs keep getting older.
+# queue is full, the outputs keep getting older.
 
 # %% [markdown] prediction="thread"
-# ### Experiment 2: a thread with the newest picture
+# ### Experiment 2: a thread for the newest image
 #
-# The node has a heartbeat, ten times a second. With the network in the callback, it beats about five times. Now the
-# callback only keeps the newest picture, and a thread of its own runs the network. What changes?
+# A timer in the node publishes a heartbeat ten times a second. But with the network in the callback, only about five
+# beats a second are published. Now the callback just stores the newest image, and a separate thread runs the network.
+# What changes?
 #
-# - **a** The heartbeat gets regular. The outputs stay as old as they are.
+# - **a** The heartbeat becomes regular. The outputs are as old as before.
 #   when `beats >= 1.3 * beats_before and age >= 0.2`
-#   ✓ A thread makes room for the other callbacks. It does not make the network faster.
-# - **b** The outputs get much younger. The heartbeat stays as it is.
+#   ✓ With the network in its own thread, the executor can run the other callbacks on time. The network itself doesn't
+#   get faster.
+# - **b** The outputs get much fresher. The heartbeat stays as it is.
 #   when `beats < 1.3 * beats_before and age < 0.2`
-#   ✗ The network still takes 0.2 s. Only the callbacks no longer wait for it.
-# - **c** Both: a regular heartbeat and much younger outputs.
+#   ✗ The network still takes 0.2 s. The only change is that the other callbacks don't have to wait for it.
+# - **c** Both: a regular heartbeat and much fresher outputs.
 #   when `beats >= 1.3 * beats_before and age < 0.2`
-#   ✗ The network alone takes 0.2 s, and no output can be younger than that.
+#   ✗ The network alone takes 0.2 s, so no output can be fresher than that.
 
 # %%
 predict("thread")
@@ -250,9 +256,9 @@ print(inspect.getsource(toy_detector.ToyDetector.keep_newest))
 print(inspect.getsource(toy_detector.ToyDetector.work))
 
 # %% [markdown]
-# `waiting` is a `queue.Queue(maxsize=1)`. If the previous image is still there, the callback discards it. Then the
-# callback puts in the new image, and the thread takes that one when the network is free. The thread handles its own
-# exceptions, because otherwise they'd go unnoticed.
+# `waiting` is a `queue.Queue(maxsize=1)`. The callback discards the previous image, if it's still there, and adds the
+# new one. When the network is free, the thread takes the image from the queue. The thread handles its own exceptions,
+# because otherwise they'd go unnoticed.
 
 # %%
 threaded = await watch(number=22, where="thread")
@@ -293,8 +299,8 @@ show(
 )
 
 # %% [markdown]
-# A thread helps only if the network releases the **GIL**, the lock that lets only one thread run Python code. Our
-# node's `time.sleep` releases it. So do ONNX Runtime and PyTorch while they compute, but not every model does. The
+# A thread helps only if the network releases the **GIL**, the lock that lets only one thread at a time run Python code.
+# Our node's `time.sleep` releases it. So do ONNX Runtime and PyTorch while they compute, but not every model does. The
 # [deeper notebook](16_ai_model_deeper.ipynb) measures the effect of a model that holds the GIL.
 
 # %% [markdown]
@@ -302,8 +308,8 @@ show(
 #
 # Each detection has a **score** from 0 to 1. The node drops detections whose score is below a *threshold* of 0.5.
 # Sometimes a detection is wrong even though its score is above the threshold. Here are two images in which that
-# happens. We brightened the dark one. The blue ball gets no box, because the network was trained to find only orange
-# toys.
+# happens. The first one was dark, so we brightened it for display. The blue ball gets no box, because the network was
+# trained to find only orange toys.
 
 # %%
 import numpy as np
@@ -325,18 +331,20 @@ in_a_row(
 )
 
 # %% [markdown] prediction="threshold"
-# In the first picture, a plate that is half behind an arm is called a cup. In the second one, that happens to a brick.
-# You raise the threshold to 0.8. What do 200 pictures show?
+# In the first image, an arm hides half of a plate, and the network labels the plate as a cup. In the second image, the
+# network mistakes a half-hidden brick for a cup. You raise the threshold to 0.8 and test 200 images. How do the
+# detections change?
 #
-# - **a** Fewer wrong detections, and all the right ones.
+# - **a** There are fewer wrong detections, and all of the correct ones remain.
 #   when `lost <= 0`
-#   ✗ The network is not always sure when it is right. Those detections go, too.
-# - **b** More wrong ones: the network has to guess.
+#   ✗ Some correct detections have low scores, too. The higher threshold drops them as well.
+# - **b** There are more wrong detections, because the network has to guess.
 #   when `gained > 0`
-#   ✗ A threshold only removes.
-# - **c** Fewer wrong ones, and fewer right ones, too.
+#   ✗ A threshold can only remove detections. It never adds any.
+# - **c** There are fewer wrong detections, but fewer correct ones, too.
 #   when `lost > 0 and gained <= 0`
-#   ✓ The threshold trades one mistake for the other. You choose which one costs less.
+#   ✓ With a higher threshold, you get fewer wrong detections, but you miss more objects. Choose the threshold by asking
+#   which mistake costs less.
 
 # %%
 predict("threshold")
@@ -354,17 +362,17 @@ reveal(
 )
 
 # %% [markdown]
-# A score isn't a probability: networks tend to be
-# [more confident than they should be](https://arxiv.org/abs/1706.04599). To choose the threshold, use images that
-# weren't used for training. Then think of the robot's task: it's better for a hand to miss a cup than to grab an arm.
+# A score isn't a probability: networks tend to be [more confident than they should
+# be](https://arxiv.org/abs/1706.04599). To choose the threshold, use images that weren't used for training. Then
+# consider the robot's task: it's better for a hand to miss a cup than to grab an arm.
 
 # %% [markdown]
 # ## When it goes wrong
 #
 # Most faults in a model's input raise no exception.
 #
-# **The wrong color order or scaling.** Here's the same network on the same images: first with correct input, then
-# interpreted as `bgr8`, and then with values up to 255.
+# **The wrong color order or scaling.** Here's the same network on the same images: with correct input, with the colors
+# read as `bgr8`, and with values up to 255.
 
 # %% id="silently-wrong"
 from workbook.models.networks import OnnxNetwork
@@ -383,7 +391,7 @@ for words, right in (
 # %% [markdown]
 # There's no error and no warning. So keep a few images with known content, and check the detector against them in a test.
 #
-# **Detections with the wrong stamp.** This detector stamps its output with the time of publishing.
+# **Detections with the wrong stamp.** This detector stamps each output with the time at which it publishes.
 
 # %% id="stamped-now"
 stamped = await watch(number=8, stamps_now=True)
@@ -391,8 +399,8 @@ by_stamps = about(median(stamped.ages), "s old", between=(0, 0.15))
 print("by their stamps, outputs are", by_stamps)
 
 # %% [markdown]
-# No output can be that fresh, because the network alone takes 0.2 s. But a subscriber can't tell, so it assumes that
-# the ball is there *now*. Copy the image's header instead.
+# No output can be that fresh, because the network alone takes 0.2 s. But a subscriber has only the stamp, so it assumes
+# that the ball is there *now*. Copy the image's header instead.
 #
 # **The network is loaded in each callback.** Large networks take seconds to load. To imitate that, we make ours take
 # one second.
@@ -403,13 +411,14 @@ stop()
 print("outputs are", about(median(loading.ages), "s old", between=(1.0, 3.0)))
 
 # %% [markdown]
-# Load the network once, in `__init__`. If even that takes too long, load it in the thread, so that the heartbeat
-# continues during loading.
+# Load the network once, in `__init__`. If even that takes too long, load it in the thread, so that the heartbeat keeps
+# going in the meantime.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A ball rolls at 0.45 m/s. Given the ages that we measured, how far does it roll before we have the output?
+# **Worked example.** A ball rolls at 0.45 m/s. Given the ages that we measured, how far does the ball roll before the
+# output is available?
 
 # %% id="worked"
 for depth, usual in ((1, (9, 18)), (50, (45, 135))):
@@ -452,8 +461,8 @@ for pose, up in (
     print(f"{pose + ':':<12} {tilt(Imu(linear_acceleration=up)):.0f}°")
 
 # %% [markdown]
-# A jolt can make one or two samples look tilted, too. So count the tilted samples: only several *in a row* mean a fall,
-# and a sample that isn't tilted resets the count.
+# A jolt, too, can make the robot look tilted for a sample or two. So count the tilted samples: report a fall only after
+# several *in a row*, and reset the count when a sample isn't tilted.
 #
 # **Your turn.** Complete the function. These samples contain a jolt that lasts two samples, and then a fall.
 
@@ -470,7 +479,8 @@ for tilt_deg in (3.0, 71.0, 75.0, 8.0, 5.0, 62.0, 80.0, 88.0, 90.0, 90.0):
 yours(rows, [0, 1, 2, 0, 0, 1, 2, 3, 4, 5], "row + 1 if tilt_deg > limit_deg else 0")
 
 # %% [markdown]
-# **Faded.** A queue of length 1 always holds the newest image. Complete the line marked `TODO`.
+# **Fill in the blanks.** This function keeps only the newest image in a queue that has room for one item. Complete the
+# line marked `TODO`.
 
 # %%
 from contextlib import suppress
@@ -538,7 +548,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # <details><summary>a) The queue depth</summary>
 #
-# ✗ A deep queue makes outputs old, not empty.
+# ✗ A deep queue makes outputs stale, not empty.
 #
 # </details>
 # <details><summary>b) The network's weights</summary>
@@ -564,13 +574,13 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # function you use exists in Jazzy.
 # ```
 #
-# <details><summary>What a good answer contains</summary>
+# <details><summary>What a good answer covers</summary>
 #
-# It loads the network once and runs it in a thread that takes the newest image. It subscribes with best effort and a
-# depth of 1. It copies the image's header into the detections. The network doesn't delay the heartbeat's timer. If
-# inference runs in a callback instead, the heartbeat needs several threads *and* a separate callback group. An
-# exception from the model doesn't end the thread, because the node catches and logs it. A good answer also asks how the
-# model was trained: color order, size, and scaling.
+# It loads the network once and runs it in a thread that takes the newest image. Its subscription uses best-effort
+# reliability and a depth of 1. It copies the image's header into the detections. The network doesn't delay the
+# heartbeat's timer. If inference runs in a callback instead, the heartbeat needs several threads *and* a separate
+# callback group. An exception from the model doesn't end the thread, because the node catches and logs it. A good
+# answer also asks how the model was trained: color order, size, and scaling.
 #
 # </details>
 #
@@ -578,9 +588,9 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # Watch for these two suggestions. We tested both with this course's rclpy, and both failed.
 #
-# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** A plain 10 requests reliable delivery, so the
-#   subscription receives nothing from a best-effort camera. Even if images arrived, a queue of ten would span a third
-#   of a second.
+# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** With only a depth of 10, the subscription
+#   requests reliable delivery, so it receives nothing from a best-effort camera. Even if images arrived, a queue of ten
+#   would span a third of a second.
 # - **`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network:** This network was trained on RGB images. With blue and
 #   red swapped, there's no error, but the detections are wrong.
 #
@@ -590,7 +600,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # ## Take away
 #
 # - An output's age is the time since its image was taken: the time in the queue plus the network's time.
-# - Use a queue of one image with best effort, because the newest image is the most useful one.
+# - Use a best-effort subscription with a queue of one image, because the newest image is the most useful one.
 # - Run a slow network in a thread that takes the newest image, so the executor keeps the heartbeat regular.
 # - Copy the image's stamp into its detections.
 # - Use the color order and scaling from training, because a mismatch raises no error.

@@ -1,20 +1,20 @@
 # %% [markdown]
 # # 16 · Deeper: falls, and where a model runs
 #
-# A robot should notice early that it's falling. Which model can do that, and where should a model run so that it doesn't
-# delay other callbacks?
+# A robot should detect a fall as early as possible. Which model can do that, and where should a model run so that it
+# doesn't delay other callbacks?
 #
 # - **Minutes:** 40
 # - **You need:** lesson [16](16_ai_model.ipynb)
 # - **You will be able to:**
-#   - train a small model on numbers, and judge it by the cost of its mistakes
+#   - train a small model on sensor readings, and judge it by the cost of its mistakes
 #   - decide whether a model can run in a thread or needs a process
 #   - keep a node running when its model fails
-# - **Left out:** recurrent networks, and graphics cards
+# - **Not covered:** recurrent networks, and graphics cards
 
 # %% [markdown]
-# Here are two episodes. In the first one, a robot bows, and in the second, it falls. The IMU in its torso measures the
-# tilt.
+# Here are two *episodes*: in the first one, a robot bows, and in the second one, a robot falls. The IMU in the torso
+# measures the tilt.
 
 # %%
 from workbook.models.falls import RATE_HZ, all_windows, episodes, windows
@@ -47,20 +47,22 @@ show(
 # %% [markdown] prediction="tilt-or-window"
 # ## Predict
 #
-# The rule: alarm when the tilt is larger than in any bow of the practice episodes. The model: it gets 0.2 s of tilt,
-# tilt rate, hip and knee, and learns from the practice episodes. Neither may raise an alarm there without a fall. In
-# falls that both have never seen, who is first?
+# We compare two ways to detect a fall. The *rule* raises an alarm when the tilt is larger than in any bow in the
+# training episodes. The *model* receives the last 0.2 s of tilt, tilt rate, hip angle, and knee angle, and it learns
+# from the training episodes. We tune both so that neither raises a false alarm in those episodes. In new falls, which
+# one raises the alarm first?
 #
 # - **a** The model, by more than 0.1 s.
 #   when `gain > 0.1`
-#   ✓ The rule has to wait until the tilt is larger than that of the deepest bow. The model sees that the hip stays
-#   straight while the torso tilts.
-# - **b** Both at about the same time: before that, a fall looks like a bow.
+#   ✓ The rule has to wait until the tilt is larger than in the deepest bow. The model's input also shows that the hip
+#   stays straight while the torso tilts.
+# - **b** Both at about the same time: until then, a fall looks just like a bow.
 #   when `gain >= -0.1 and gain <= 0.1`
-#   ✗ They look alike if only the tilt is known. The hip moves in a bow, and not in a fall.
-# - **c** The rule, by more than 0.1 s: it needs one sample, the model a whole window.
+#   ✗ Only the tilt looks alike. The hip moves in a bow but not in a fall, and the model also receives the hip angle.
+# - **c** The rule, by more than 0.1 s: it needs only one sample, while the model needs a whole window.
 #   when `gain < -0.1`
-#   ✗ The window slides. It holds the newest sample and the nine before it, so the model waits for nothing.
+#   ✗ The window slides: it always holds the newest sample and the nine before it. So the model doesn't have to wait,
+#   either.
 
 # %%
 from workbook.lesson import about, predict, reveal
@@ -70,7 +72,8 @@ predict("tilt-or-window")
 # %% [markdown]
 # ## Run it
 #
-# Each row of the table is a window: ten samples of four channels. scikit-learn trains on 300 episodes in about a second.
+# The training data is a table in which each row is one window: ten samples of four values. We train the model with
+# scikit-learn on 300 episodes, which takes about a second.
 
 # %%
 from sklearn.linear_model import LogisticRegression
@@ -106,11 +109,11 @@ reveal("tilt-or-window", gain=median(rule.late_s) - median(learned.late_s))
 # %% [markdown]
 # ## Look inside
 #
-# A fall begins when nothing supports the body anymore. From then on, each window is labeled as a fall. We held back whole
-# episodes, not single windows. Neighboring windows share nine of ten samples, so a model that was trained on one
-# practically knows the other.
+# A fall begins when nothing supports the body anymore, and from then on, each window is labeled as a fall. To test the
+# model, we held back whole episodes, not single windows. Neighboring windows share nine of their ten samples, so a
+# window next to a training window would hardly be new to the model.
 #
-# Here are one of the model's other inputs, the hip angle, and its output:
+# Here's the model's output, the *score*, together with one of its inputs, the hip angle:
 
 # %%
 show(
@@ -123,7 +126,7 @@ show(
 )
 
 # %% [markdown]
-# In a bow, the hip bends, but in a fall, it stays straight. How often is the model right, window by window?
+# The hip bends in a bow but stays straight in a fall. How many windows does the model classify correctly?
 
 # %%
 from sklearn.metrics import confusion_matrix
@@ -151,8 +154,9 @@ print("the model is right on", right_percent, "of the held-back windows")
 print(f"a model that always says 'no fall': {fine:.1%}")
 
 # %% [markdown]
-# Falls are rare. So a high share of correct windows means little, because a model that never reports a fall has one,
-# too. Count the costly mistakes instead: late alarms and false alarms. The threshold trades one for the other.
+# Falls are rare, so a high share of correctly classified windows means little. Even a model that never reports a fall
+# is right most of the time. Count the costly mistakes instead: late alarms and false alarms. The threshold trades one
+# for the other.
 
 # %% id="late-or-false"
 LEVELS = (0.1, 0.5, 0.9)
@@ -185,13 +189,14 @@ axes.set_title("An early alarm costs false alarms")
 show(fig, "delay against false alarms: a low threshold is early and often wrong")
 
 # %% [markdown]
-# A robot that is pushed and catches itself briefly looks like a falling one. If the robot only stretches out its arms, a
-# false alarm does little harm. If it cuts its power, a false alarm makes it fall. In a node, keep the window in a
-# `collections.deque(maxlen=10)`. Clear the window when the source restarts.
+# For a moment, a robot that's pushed and then catches itself looks like a falling one. If an alarm only makes the robot
+# stretch out its arms, a false alarm does little harm. But if it cuts the robot's power, a false alarm makes the robot
+# fall. In a node, keep the window in a `collections.deque(maxlen=10)`. Clear it when the node that publishes the
+# samples restarts.
 #
-# **Your turn.** If the robot stretches out its arms, let a false alarm cost as much as 1 ms of delay. If it cuts its power,
-# let it cost as much as 50 ms. Add up the costs of all false alarms and of the delay. Which of the three thresholds is
-# cheapest in each case?
+# **Your turn.** Suppose that a false alarm costs as much as 1 ms of delay if the robot only stretches out its arms. If
+# the robot cuts its power, the cost is 50 ms of delay. For each threshold, add the cost of all false alarms to the
+# typical delay. Which of the three thresholds is cheapest in each case?
 
 # %% id="your-threshold"
 from workbook.lesson import yours
@@ -210,20 +215,20 @@ yours(
 #
 # ### Three models in a thread
 #
-# A node beats ten times a second. A thread of the node runs a model for two seconds. First it is a loop in pure Python,
-# then ONNX Runtime, then C code that keeps the GIL (as some drivers do). Which of them stop the heartbeat for that
-# time?
+# A node publishes a heartbeat ten times a second, and one of its threads runs a model for two seconds. We try three
+# models: a loop in pure Python, a network in ONNX Runtime, and C code that keeps the GIL (as some drivers do). Which of
+# them stop the heartbeat for those two seconds?
 #
 # - **a** Pure Python and the C code.
 #   when `python >= 1.5 and held >= 1.5`
-#   ✗ Python code has to hand the lock over when another thread has waited for 5 ms.
+#   ✗ Once another thread has waited 5 ms for the lock, the interpreter makes Python code release it.
 # - **b** Only the C code.
 #   when `python < 1.5 and held >= 1.5`
-#   ✓ Between two steps of Python code the lock can change hands. Within a call to C code it cannot, unless that
-#   code releases it.
-# - **c** None: a thread runs beside the others.
+#   ✓ Between two steps of Python code, the lock can change hands. During a call to C code, it can't, unless that code
+#   releases it.
+# - **c** None: the threads run at the same time.
 #   when `python < 1.5 and held < 1.5`
-#   ✗ It runs beside them only while it does not hold the lock.
+#   ✗ While one thread holds the lock, no other thread can run Python code.
 
 # %%
 predict("which-holds-the-heartbeat")
@@ -281,7 +286,7 @@ async def think(model):
 # %% [markdown]
 # [the same without helpers: init, fresh, run]
 #
-# Now let's run three models. Each works for two seconds.
+# Now let's run the three models, each for two seconds.
 
 # %%
 import random
@@ -345,7 +350,7 @@ show(
 )
 
 # %% [markdown]
-# So a pure Python model doesn't stop the heartbeat. But it makes each beat wait for the lock:
+# So a model in pure Python doesn't stop the heartbeat. But each beat has to wait for the lock:
 
 # %%
 import sys
@@ -353,25 +358,25 @@ import sys
 print("a thread that waits asks for the lock after", sys.getswitchinterval(), "s")
 
 # %% [markdown]
-# A callback that releases the lock several times waits several times. And while there's a GIL, two threads never run Python
-# code at the same time, no matter how many cores there are. If C code keeps the lock, a thread doesn't help.
+# A callback that releases the lock several times has to wait each time to get it back. And under the GIL, two threads
+# never run Python code at the same time, no matter how many cores there are. If C code keeps the lock, a thread doesn't
+# help.
 
 # %% [markdown] prediction="to-another-process"
-# ### A process beside the node
+# ### A process next to the node
 #
-# A process has a GIL of its own. `ProcessPoolExecutor` starts one and hands it a picture: pickled, and sent through a
-# pipe. A picture of 160 by 120 pixels makes the trip, then one of 1,920 by 1,440. How much longer does the large one
-# take?
+# A separate process has its own GIL. `ProcessPoolExecutor` starts one, pickles each image, and sends it through a pipe.
+# We send an image of 160 by 120 pixels, and then one of 1,920 by 1,440. How much longer does the large one take?
 #
-# - **a** Less than twice as long: waking the other process is what takes time.
+# - **a** Less than twice as long: waking the other process takes most of the time.
 #   when `ratio < 2`
-#   ✗ That is true for small pictures only.
+#   ✗ That's true only for small images.
 # - **b** Two to four times as long.
 #   when `ratio >= 2 and ratio < 4`
-#   ✗ There are 144 times as many bytes, and each of them is copied several times.
+#   ✗ The large image has 144 times as many bytes, and each byte is copied several times.
 # - **c** More than four times as long.
 #   when `ratio >= 4`
-#   ✓ For a large picture, copying is most of the work.
+#   ✓ For a large image, copying is most of the work.
 
 # %%
 predict("to-another-process")
@@ -412,10 +417,11 @@ print("1,920 × 1,440:", about(1000 * large_s, "ms", between=(1, 500)))
 reveal("to-another-process", ratio=large_s / small_s)
 
 # %% [markdown]
-# Pass the process only the model's input, in the model's size, along with the header. Or make the second process a node
-# that subscribes to the camera. Then no code has to pass images along. Lesson 16's `toy_detector` is such a process.
+# Send the process only the header and the model's input, already scaled to the size that the model expects. Or make the
+# second process a node that subscribes to the camera, so you don't have to pass images along. Lesson 16's
+# `toy_detector` works this way.
 #
-# Does a process help with C code that keeps the lock?
+# Does a separate process help if C code keeps the lock?
 
 # %% id="lock-in-a-process"
 beside_it = await think(lambda: pool.submit(beside.hold_the_lock, 2.0).result())
@@ -423,25 +429,26 @@ print("the model took", about(beside_it.took_s, "s", between=(2, 10)))
 print("longest silence:", about(beside_it.silence(), "s", between=(0.09, 1.4)))
 
 # %% [markdown]
-# The thread waits for the result without holding the lock. `spawn` starts a new Python process, which loads the model
-# again. The alternative, `fork`, copies a process without its threads. DDS runs in its own threads, and the copy would
-# lack them. So don't use `fork` together with rclpy.
+# It does: the node's thread waits for the result without holding the lock. `spawn` starts a new Python process, which
+# has to load the model itself. The alternative, `fork`, copies a process but only one of its threads. The copy would
+# lack the threads in which DDS runs, so don't use `fork` together with rclpy.
 
 # %% [markdown] prediction="eight-at-once"
-# ### Eight pictures at once
+# ### Eight images in one call
 #
-# Libraries take a *batch*: eight pictures in one call. On one core, how much processor time does that need, compared
-# with eight calls?
+# Most libraries accept a *batch* of images, for example eight in one call. On one core, how much CPU time does such a
+# call take, compared with eight separate calls?
 #
 # - **a** About the same.
 #   when `ratio >= 0.65`
-#   ✓ The multiplications are the same. Graphics cards gain from batches, because they do many at the same moment.
+#   ✓ The multiplications are the same. Graphics cards do gain from batches, because they perform many multiplications
+#   at the same time.
 # - **b** About half.
 #   when `ratio >= 0.3 and ratio < 0.65`
-#   ✗ Only the cost of the call itself is saved, and that is small here.
+#   ✗ A batch saves only the overhead of the calls, which is small here.
 # - **c** About an eighth.
 #   when `ratio < 0.3`
-#   ✗ Each picture needs its multiplications, and a core does them one after another.
+#   ✗ Each image needs its own multiplications, and a core performs them one after another.
 
 # %%
 predict("eight-at-once")
@@ -466,11 +473,12 @@ print("eight pictures:", about(1000 * eight, "ms", between=(2, 500)))
 reveal("eight-at-once", ratio=eight / (8 * one))
 
 # %% [markdown]
-# A batch also waits for its last image. At 30 Hz, the first of eight images is then 7/30 s old, or 0.23 s, before the
-# network starts. Batches are for training and for recordings.
+# With a batch, the network has to wait for the last image. At 30 Hz, the first of eight images is already 7/30 s (0.23
+# s) old when the network starts. So use batches for training and for recorded data.
 #
-# The first call costs more than later ones, because it reserves memory. Many libraries also compile code then. We load
-# the network sixty times, call it twice each time, and compare the fastest first call with the fastest second call.
+# A network's first call takes longer than later ones, because it allocates memory. Many libraries also compile code at
+# that point. We load the network sixty times, call it twice each time, and compare the fastest first call with the
+# fastest second call.
 
 # %% id="warm-up"
 
@@ -487,15 +495,15 @@ print("first call: ", about(first_ms, "ms", between=(0.3, 60), digits=3))
 print("second call:", about(second_ms, "ms", between=(0.3, 60), digits=3))
 
 # %% [markdown]
-# So call the network once with an empty image after loading it. This is called a *warm-up*. Our network is small: in our
-# test on an idle machine, its first call took a tenth longer. A large network may take seconds for its first image.
-# Subscribe to the camera after the warm-up.
+# So after loading the network, call it once with an empty image, as a *warm-up*. Our network is small: in our test on
+# an idle machine, its first call took only 10% longer. A large network may take seconds for its first image. Subscribe
+# to the camera only after the warm-up.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The model raises an exception in a thread.** Python ends only this thread. It calls `threading.excepthook` with the
-# exception.
+# **The model raises an exception in a thread.** Python calls `threading.excepthook` with the exception, and ends only
+# that thread.
 
 # %% id="raised-in-a-thread"
 unseen = []
@@ -516,10 +524,11 @@ print("the thread ended by:", unseen[0].exc_type.__name__, unseen[0].exc_value)
 print("beats after that:", len(blind.beats) - done)
 
 # %% [markdown]
-# The heartbeat reports "alive", but the detector is dead. Call the model in a `try`, as `ToyDetector.work` does. And make
-# the heartbeat depend on the detector: publish it only if the last result is recent enough.
+# The heartbeat still reports "alive", but the detector is dead. Call the model inside a `try` block, as
+# `ToyDetector.work` does. And make the heartbeat depend on the detector: publish it only if the last result is recent
+# enough.
 #
-# **A node's method as a task.** It looks natural to pass `self.look` to the pool.
+# **A node's method as a task.** It seems natural to pass a method, such as `self.look`, to the pool:
 
 # %% id="method-as-a-task"
 try:
@@ -528,10 +537,11 @@ except Exception as fault:
     print(f"{type(fault).__name__}: {fault}")
 
 # %% [markdown]
-# A method refers to its node, and a node can't be pickled. Submit a function from a module, with plain data. A function
-# from a notebook cell fails, too, because the other process can't import it.
+# To pickle a method, Python also has to pickle its node, and a node can't be pickled. Instead, submit a function from a
+# module, and pass it plain data. A function from a notebook cell fails, too, because the other process can't import it.
 #
-# **The process crashes.** A fault in C code ends a process immediately. We make it end with exit code 3:
+# **The process crashes.** A fault in C code ends a process immediately. To imitate one, we make the process exit with
+# code 3:
 
 # %% id="process-crashed" tags=["raises-exception"]
 import os
@@ -539,8 +549,8 @@ import os
 pool.submit(os._exit, 3).result()
 
 # %% [markdown]
-# In a thread, this crash would have ended the node. Here, it's an exception, and the node can start the next process.
-# That takes a while, and in this example the model takes two more seconds to load. Does the heartbeat stop during that
+# In a thread, this crash would have ended the node. Here, the node gets only an exception, and can start a new process.
+# That takes a while, and in this example, the model takes two more seconds to load. Does the heartbeat stop during that
 # time?
 
 # %% id="slow-start"
@@ -554,19 +564,20 @@ print("the first answer took", about(again.took_s, "s", between=(2, 40)))
 print("longest silence:", about(again.silence(), "s", between=(0.09, 1.4)))
 
 # %% [markdown]
-# The thread waits, but the node keeps running. Until the first result arrives, publish "starting" as the status instead
-# of "operational".
+# It doesn't: only the thread waits, and the node keeps running. Until the first result arrives, publish "starting" as
+# the status instead of "operational".
 
 # %% [markdown]
 # ## Take away
 #
-# - For a few numbers, a small scikit-learn model may be enough. Hold back whole episodes.
-# - If falls are rare, don't count correct windows. Count late alarms and false alarms.
-# - A thread is enough if the model releases the GIL. Python code has to release it when another thread waits. C code
-#   releases it only if it was written to do so.
-# - A separate process helps against code that keeps the GIL, and against crashes. Its input is copied, so pass it little
-#   data.
-# - Load the model and warm it up before the first image. On one core, a batch saves little and makes outputs old.
+# - If the input is just a few numbers, a small scikit-learn model may be enough. Hold back whole episodes to test it.
+# - If falls are rare, the share of correctly classified windows means little. Count late alarms and false alarms
+#   instead.
+# - A thread is enough if the model releases the GIL. The interpreter makes Python code release it when another thread
+#   is waiting. C code releases it only if it was written to do so.
+# - A separate process protects the node from code that keeps the GIL, and from crashes. Its input is copied, so keep it
+#   small.
+# - Load the model and warm it up before the first image. On one core, a batch saves little and makes the outputs stale.
 #
 # **Before:** [16 · An AI model in a node](16_ai_model.ipynb)
 #

@@ -9,12 +9,17 @@ from functools import cache
 from pathlib import Path
 
 from tests.language.texts import (
+    CATALOGS,
     CODE,
+    EXPLAINED,
     LESSONS,
     MUSEUM,
     PAGES,
     TASKS,
+    TEMPLATES,
     Passage,
+    catalog_passages,
+    comment_passages,
     length,
     museum_passages,
     page_passages,
@@ -22,6 +27,8 @@ from tests.language.texts import (
     script_passages,
     sentences,
     string_passages,
+    template_passages,
+    without_questions,
 )
 from tests.language.word_list import RULES
 
@@ -36,14 +43,21 @@ SOURCES: Sequence[tuple[Sequence[str], Callable[[Path], Iterator[Passage]]]] = (
     (LESSONS, script_passages),
     (MUSEUM, museum_passages),
     (CODE, string_passages),
+    (CATALOGS, catalog_passages),
+    (TEMPLATES, template_passages),
 )
+EXPLANATIONS = ((EXPLAINED, comment_passages),)
+"""Docstrings and comments: the authors' own words."""
 
 
 @cache
 def all_passages() -> tuple[Passage, ...]:
     """Every passage that a person reads."""
     return tuple(
-        passage for patterns, passages in SOURCES for path in paths(patterns) for passage in passages(path)
+        passage
+        for patterns, passages in (*SOURCES, *EXPLANATIONS)
+        for path in paths(patterns)
+        for passage in passages(path)
     )
 
 
@@ -62,7 +76,8 @@ def is_allowed(rule: str, path: str, text: str) -> bool:
 def broken_rules(passage: Passage) -> Iterator[tuple[str, str, str]]:
     """What a passage says against the style: the rule, the text that breaks it, and words for the author."""
     for rule, old in RULES.items():
-        for words in old.found(passage.text):
+        asked = passage.text if old.questions else without_questions(passage)
+        for words in old.found(asked):
             yield rule, passage.text, f"{words!r}; write: {old.instead}"
     for sentence in sentences(passage):
         if length(sentence) > MOST_WORDS:

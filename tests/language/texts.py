@@ -1,7 +1,10 @@
-"""Collects the passages that a person reads: from pages, tasks, lessons, the museum, and the strings of the code."""
+"""Collect the passages that a person reads: pages, lessons, exercises, catalogs, and all words in the code."""
 
 import ast
+import inspect
+import io
 import re
+import tokenize
 import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -12,7 +15,14 @@ PAGES = ("*.md", "exercises/*.md", "docs/*.md")
 TASKS = ("solutions/*.py",)
 LESSONS = ("notebooks/sources/*.py",)
 MUSEUM = ("notebooks/sources/museum/*.toml", "notebooks/sources/planned.toml")
-CODE = ("exercises/criteria/*.py", "exercises/drivers/*.py", "lesson_nodes/**/*.py", "workbook/**/*.py")
+CATALOGS = ("exercises/criteria/*.toml", "workbook/criteria/vocabulary/*.toml")
+CODE = (
+    *("exercises/criteria/*.py", "exercises/drivers/*.py", "exercises/partners/*.py"),
+    *("lesson_nodes/**/*.py", "workbook/**/*.py"),
+)
+EXPLAINED = ("workbook/**/*.py",)
+"""The modules whose docstrings and comments are read. Others are part of answers, recordings, or lessons' hashes."""
+TEMPLATES = ("workbook/**/*.j2",)
 NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/")
 
 FEWEST_WORDS = 3
@@ -78,10 +88,64 @@ def museum_passages(path: Path) -> Iterator[Passage]:
                 yield from markdown(name(path), text.count("\n", 0, at) + 1, value.splitlines())
 
 
+def catalog_passages(path: Path) -> Iterator[Passage]:
+    """The words of a catalog of causes, one text a line. Of `{count|is|are}`, the form for many is read."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if re.match(r"[a-z][a-z-]* = ", line):
+            for text in tomllib.loads(line).values():
+                text = re.sub(r"(?<!\{)\{[^{}|]*\|[^{}|]*\|([^{}]*)\}", r"\1", text)
+                text = re.sub(r"(?<!\{)\{[^{}]*\}", VALUE_WORD, text)
+                yield from (one for one in markdown(name(path), number, [text]) if is_prose(one.text))
+
+
 def string_passages(path: Path) -> Iterator[Passage]:
     """The strings of a module that hold words, except its docstrings."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     yield from _strings(name(path), 0, tree)
+
+
+def comment_passages(path: Path) -> Iterator[Passage]:
+    """Yield the docstrings of a module, and its comments. Comment lines below one another are one passage."""
+    text = path.read_text(encoding="utf-8")
+    for node in ast.walk(ast.parse(text)):
+        if (
+            isinstance(node, ast.Expr)
+            and isinstance(node.value, ast.Constant)
+            and isinstance(node.value.value, str)
+        ):
+            yield from markdown(name(path), node.lineno, inspect.cleandoc(node.value.value).splitlines())
+    yield from _comments(name(path), text)
+
+
+def _comments(path: str, text: str) -> Iterator[Passage]:
+    gathered: list[str] = []
+    begin = last = 0
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type != tokenize.COMMENT or not re.match(r"#:? (?!type:|noqa|fmt:|%%)", token.string):
+            continue
+        number, column = token.start
+        alone = not token.line[:column].strip()
+        if gathered and not (alone and number == last + 1):
+            yield from _passage(path, begin, " ".join(gathered))
+            gathered = []
+        begin, last = (begin if gathered else number), (number if alone else 0)
+        gathered.append(token.string.lstrip("#: ").strip())
+    yield from _passage(path, begin, " ".join(gathered))
+
+
+def template_passages(path: Path) -> Iterator[Passage]:
+    """Yield the words of a template, without its tags. Each value that is put in counts as one word."""
+    text = re.sub(
+        r"\{#.*?#\}|<(style|script)\b.*?</\1>", _only_lines, path.read_text(encoding="utf-8"), flags=re.DOTALL
+    )
+    text = re.sub(r"\{\{.*?\}\}", VALUE_WORD, text, flags=re.DOTALL)
+    for number, line in enumerate(re.sub(r"\{%.*?%\}", _only_lines, text, flags=re.DOTALL).splitlines(), 1):
+        for piece in re.split(r"</?(?:p|li|td|th|div|h\d|summary|title|button|span|dt|dd)\b[^>]*>", line):
+            yield from (one for one in _passage(name(path), number, piece) if is_prose(one.text))
+
+
+def _only_lines(found: re.Match[str]) -> str:
+    return "\n" * found[0].count("\n")
 
 
 def _strings(path: str, first: int, tree: ast.Module) -> Iterator[Passage]:
@@ -175,6 +239,7 @@ def _cell(path: str, begin: int, lines: list[str], reads: str) -> Iterator[Passa
 
 def _passage(path: str, line: int, text: str) -> Iterator[Passage]:
     text = re.sub(r"!?\[([^\]]*)\]\([^)\s]*\)", r"\1", text)  # a link is its words
+    text = re.sub(r"\{\{[\w. %]+\}\}", "1", text)  # a number of the judge's
     text = _without_code(text)
     text = re.sub(r"<[^>]+>|\*\*|(?<!\w)[*_](?=\w)|(?<=\w)[*_](?!\w)", "", text)
     text = re.sub(r"^(#+|[->✓✗]|\d+\.) +", "", text.strip())
@@ -188,3 +253,8 @@ def _without_code(text: str) -> str:
 
 def _piece(node: ast.expr) -> str:
     return str(node.value) if isinstance(node, ast.Constant) else VALUE_WORD
+
+
+def without_questions(passage: Passage) -> str:
+    """Return a passage's sentences, except its questions."""
+    return " ".join(sentence for sentence in sentences(passage) if not sentence.rstrip(')*_"').endswith("?"))

@@ -10,9 +10,11 @@ class Rule:
 
     instead: str
     words: str
+    questions: bool = True
+    """Whether the rule also applies to questions."""
 
     def found(self, text: str) -> list[str]:
-        """Each place in a text that breaks the rule, as it stands there."""
+        """Return each piece of a text that breaks the rule."""
         return [hit[0] for hit in re.finditer(rf"(?<![\w-])(?:{self.words})(?![\w])", text, re.IGNORECASE)]
 
 
@@ -69,5 +71,56 @@ RULES = {
         "gray, license, program, while, toward",
         r"grey|licence|programmes?|whilst|amongst|catalogue|dialogue|cheque|artefacts?|towards|judgement|judgements|"
         r"afterwards|upwards|learnt|spelt|burnt",
+    ),
+    "picture": Rule("image (camera); figure (drawing)", r"(?<![.(])pictures?(?![.(]| =|: \[)"),
+    "how late": Rule("latency, delay, lag", r"how late"),
+    "memory of a filter": Rule(
+        "state", r"memory of (?:the|a|your) (?:filter|node)s?|(?:filter|node)'s memory"
+    ),
+    "takes for": Rule(
+        "assumes, interprets as",
+        r"(?:takes?|took|taking|taken) (?:it|them|this|that|what|each) for (?:an?|the|one|another)|"
+        r"(?:takes?|taken) for (?:an?|the|one|another)(?! second| minute| moment| while)",
+    ),
+    "in the place of": Rule("instead of", r"in the place of"),
+    "at once": Rule("right away; at the same time", r"at once"),
+    "beside": Rule("next to; along with; except", r"besides?"),
+    "anew": Rule("again, reset, re-create; back and forth", r"anew|to and fro"),
+    "dated adverbs": Rule("say when", r"meanwhile|now and then|all the same|as ever"),
+    "quick": Rule("fast", r"quick|quicker|quickest"),
+    "look": Rule("poll", r"(?:one|each|every|next|first|last) look(?! around)"),
+    "grader": Rule("the judge; grading (by instructors)", r"(?<!Classroom's )(?<!autograder or )graders?"),
+    "holds": Rule(
+        "passes, fails, not yet", r"criteri(?:on|a)(?: that)? (?:holds?|held)|(?:holds?|held) criteri(?:on|a)"
+    ),
+    "hears": Rule("receives", r"hears?|heard|hearing"),
+    "what-clause": Rule(
+        "the thing's name",
+        r"(?<!no matter )what (?:is|was|are|were|has|have|comes|came|they)(?! judged| wrong| missing)",
+        questions=False,
+    ),
+    "of a library": Rule("a compound: NumPy array", r"of (?:NumPy|OpenCV|rclpy|DDS|ROS)(?!'s| 2)"),
+    "of its own": Rule("its own, a separate", r"of (?:its|their|your|our|his|her|my) own"),
+    "of-chain": Rule("a compound or a possessive", r"of \w+ \w+ of (?:\w+ ){1,3}of"),
+    ", and nothing": Rule(
+        "because, so, or but",
+        r"(?<=, )and (?:nothing(?! else)|no (?!others?\b|longer\b|more\b))",
+    ),
+    "vague pronoun": Rule(
+        "the noun",
+        r"(?<!stay )(?<!stays )(?<!always )(?<!means )(?<!is )(?<!are )(?<!do )(?<!nearly )the same(?=[.,;:)]|$)|"
+        r"(?:that|those) of|(?<!than )this one|the other one",
+    ),
+    "personification": Rule(
+        "publishes, receives, returns, raises, stores, waits",
+        r"(?:programs?|nodes?|cameras?|filters?|timers?|queues?|rclpy|DDS|publishers?|subscribers?|subscriptions?|executors?|judge|listeners?)"
+        r" (?:says?|tells?|knows?|wants?|believes?|means?|learns?|looks?)",
+    ),
+    "nobody": Rule("what the function does or returns", r"nobody|None where|where none"),
+    "so long": Rule("how long, how many, how often", r"so (?:long|often)(?! as)"),
+    "as it was": Rule(
+        "unchanged; say what was before",
+        r"as (?:it|they) (?:was|were)(?! \w+(?:ed|en|t)\b)|"
+        r"c[oa]mes? at(?! least| most| any moment| intervals| one moment| no whole)",
     ),
 }

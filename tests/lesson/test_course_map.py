@@ -41,6 +41,11 @@ def ids(stem: str = STEM) -> list[str]:
     return [cell.id for cell in _lesson(path, path.stat().st_mtime_ns).cells]
 
 
+def test_a_comment_in_code_is_no_heading_to_go_on_at() -> None:
+    headings = {place.heading for place in state({}).missing}
+    assert "Predict" in headings and not [one for one in headings if one.startswith(("A:", "B:"))]
+
+
 def test_run_all_is_not_read(folder: Path) -> None:
     run("a", "b", "c", sent=LATER, every=0.004)
     assert load_progress(STEM).cells == ["a", "b", "c"]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from IPython.core.formatters import DisplayFormatter
 
-from workbook.lesson import activity, prediction_views, predictions
+from workbook.lesson import activity, front_end, prediction_views, predictions
 from workbook.lesson.prediction import Option, Prediction
 from workbook.lesson.prediction_views import Noted, PredictionOutcome
 from workbook.lesson.predictions import UNATTENDED, choose, predict, reveal
@@ -74,7 +74,7 @@ def screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Screen]:
 def start_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
     """Forget what only the process knows."""
     monkeypatch.setattr(predictions, "_chosen", {})
-    monkeypatch.setattr(predictions, "_closed", set())
+    monkeypatch.setattr(predictions, "_closed", {})
     monkeypatch.setattr(predictions, "_waiting", {})
     predictions._known.cache_clear()
 
@@ -258,3 +258,94 @@ def test_every_prediction_of_the_course_can_be_chosen_with_buttons() -> None:
         buttons[-1].click()
         assert buttons[-1].description.startswith(f"● {prediction.options[-1].letter}) ")
         assert "noted" in status.value
+
+
+class Shell:
+    """JupyterLab with its buttons: what came with the running cell, and what the reply says."""
+
+    def __init__(self, **prediction: str) -> None:
+        self.prediction = prediction
+        self.said: list[dict[str, object]] = []
+        self.payload_manager = self
+
+    def get_parent(self) -> dict[str, object]:
+        return {"metadata": {"workbook": {"robot": True, "prediction": self.prediction}}}
+
+    def write_payload(self, payload: dict[str, object], single: bool) -> None:
+        assert payload.pop("source") == front_end.PREDICTION_PAYLOAD and not single
+        self.said.append(payload)
+
+
+def run_with_buttons(monkeypatch: pytest.MonkeyPatch, **prediction: str) -> Shell:
+    shell = Shell(**prediction)
+    monkeypatch.setattr(front_end, "get_ipython", lambda: shell)
+    return shell
+
+
+def test_where_the_front_end_draws_the_buttons_the_cell_shows_nothing(
+    screen: Screen, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shell = run_with_buttons(monkeypatch, name="the-queue")
+    predict("the-queue")
+    assert shell.said == [{"name": "the-queue", "choice": None, "words": "", "outcome": None}]
+    assert screen.places == [] and capsys.readouterr().out == ""
+    shell = run_with_buttons(monkeypatch, name="another")
+    predict("the-queue")
+    assert len(screen.places) == 1, "this cell has no buttons for it"
+
+
+def test_a_click_is_noted_and_the_outcome_comes_with_the_run_and_no_earlier(
+    screen: Screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shell = run_with_buttons(monkeypatch, name="the-queue", choice="c")
+    predict("the-queue")
+    words = "Your prediction: c. You can change it until you see the outcome."
+    assert shell.said == [{"name": "the-queue", "choice": "c", "words": words, "outcome": None}]
+    assert load_progress(STEM).predictions == {"the-queue": "c"}
+    shell = run_with_buttons(monkeypatch)
+    reveal("the-queue", arrived=4)
+    assert shell.said == [
+        {"name": "the-queue", "choice": "c", "words": "Your prediction: c.", "outcome": "c"}
+    ], "what happened in this run, although it's unusual"
+    shell = run_with_buttons(monkeypatch, name="the-queue", choice="a")
+    predict("the-queue")
+    assert (shell.said[0]["choice"], shell.said[0]["outcome"]) == ("c", "c")
+    start_kernel(monkeypatch)
+    predict("the-queue")
+    assert (shell.said[1]["choice"], shell.said[1]["outcome"]) == ("c", "b")
+
+
+def test_a_click_after_the_run_tells_the_outcome_right_away(
+    screen: Screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shell = run_with_buttons(monkeypatch)
+    reveal("the-queue", arrived=5)
+    assert shell.said == []
+    shell = run_with_buttons(monkeypatch, name="the-queue", choice="a")
+    predict("the-queue")
+    assert (shell.said[0]["choice"], shell.said[0]["outcome"]) == ("a", "b")
+
+
+def test_a_click_is_no_cell_that_somebody_read(screen: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Result:
+        class info:
+            cell_id = "asks"
+
+    run_with_buttons(monkeypatch, name="the-queue", choice="a")
+    activity.note_cell(Result, sent=100.0)
+    run_with_buttons(monkeypatch, name="the-queue")
+    Result.info.cell_id = "next"
+    activity.note_cell(Result, sent=101.0)
+    assert load_progress(STEM).read == ["next"], "the click just before doesn't make it a Run All"
+
+
+def test_the_reasons_of_options_that_matter_less_are_folded(screen: Screen) -> None:
+    predict("the-queue", "c")
+    reveal("the-queue", arrived=5)
+    assert isinstance(screen.last, PredictionOutcome)
+    page = screen.last._repr_html_()
+    assert page.count("<details>") == 1
+    assert (
+        WHY["a"].replace("`spin`", "<code>spin</code>") in page.split("<details>")[1].split("</details>")[0]
+    )
+    assert "<details>" not in PredictionOutcome(QUEUE, "b", None, {})._repr_html_(), "nobody predicted"

@@ -1,9 +1,11 @@
 """Programs beside a notebook: one that fails in its first lines is reported, not left on the graph."""
 
+import asyncio
 import os
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from rclpy.context import Context
@@ -11,7 +13,7 @@ from rclpy.node import Node
 
 from lesson_nodes import callback_monitor
 from tests.programs.support import wait_until
-from workbook.lesson import processor_seconds, programs, run_program, start, stop
+from workbook.lesson import processor_seconds, programs, run_program, start, stop, views
 from workbook.lesson.startup import node_names
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
@@ -94,7 +96,7 @@ def test_an_error_after_the_node_has_appeared_is_told(tmp_path: Path) -> None:
 def test_a_program_without_a_node_is_told(tmp_path: Path) -> None:
     file = tmp_path / "empty.py"
     file.write_text("print('nothing to do')\n")
-    with pytest.raises(RuntimeError, match=r"(?s)empty\.py ended at once.*nothing to do"):
+    with pytest.raises(RuntimeError, match=r"(?s)empty\.py ended right away.*nothing to do"):
         start(file)
 
 
@@ -171,3 +173,22 @@ def test_processor_time_counts_the_time_in_line_for_a_busy_processor(monkeypatch
     monkeypatch.setattr(programs, "run_queue_s", lambda pid: next(in_line))
     used = processor_seconds(callback_monitor, seconds=0.2, with_start=False)
     assert 0.75 <= used < 1.25
+
+
+def test_who_stops_watching_learns_what_still_runs(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    async def interrupted(*_: object, **__: object) -> None:
+        raise views.Stopped
+
+    gone: list[str] = []
+    view = SimpleNamespace(destroy_node=lambda: gone.append("view"))
+    monkeypatch.setattr(views, "run", interrupted)
+    monkeypatch.setattr(programs, "still_running", lambda: ["two_arms"])
+    asyncio.run(views.watched(view, lambda: None))
+    assert capsys.readouterr().out == "You stopped watching, but two_arms still runs: stop() ends it.\n"
+    asyncio.run(views.watched(view, lambda: None, ends_program=True))
+    monkeypatch.setattr(programs, "still_running", list)
+    asyncio.run(views.watched(view, lambda: None))
+    assert capsys.readouterr().out == ""
+    assert gone == ["view"] * 3

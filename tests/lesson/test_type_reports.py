@@ -1,5 +1,6 @@
 """mypy in a notebook: a report that can be read, from a text, a file, a module, or an answer."""
 
+import threading
 from pathlib import Path
 
 import pytest
@@ -7,7 +8,8 @@ from std_msgs.msg import Float32
 from std_srvs.srv import Trigger
 
 from lesson_nodes import battery_class
-from workbook.lesson import check_types, stub_of
+from workbook.lesson import check_types, stub_of, type_reports
+from workbook.lesson.predictions import UNATTENDED
 
 WRONG = "x: int = 'a'\ny = 1\nz: str = y; w: bytes = y\n"
 
@@ -53,3 +55,21 @@ def test_the_stub_of_a_message_is_that_of_this_message_alone() -> None:
     assert text.startswith("class Float32:\n    data: float\n")
     assert "MultiArray" not in text
     assert "class Trigger_Response:\n    success: bool\n" in stub_of(Trigger.Response)
+
+
+def test_a_long_first_run_says_that_mypy_is_running(monkeypatch: pytest.MonkeyPatch) -> None:
+    said = threading.Event()
+
+    def slow(*_: object, **__: object) -> tuple[()]:
+        assert said.wait(60.0), "mypy ran in silence"
+        return ()
+
+    monkeypatch.delenv(UNATTENDED, raising=False)
+    monkeypatch.setattr(type_reports, "SILENT_AT_MOST_S", 0.0)
+    monkeypatch.setattr(type_reports, "print", lambda words: said.set(), raising=False)
+    monkeypatch.setattr(type_reports, "type_check", slow)
+    check_types(WRONG)
+    monkeypatch.setenv(UNATTENDED, "1")
+    monkeypatch.setattr(type_reports.threading, "Timer", None)  # none starts
+    monkeypatch.setattr(type_reports, "type_check", lambda *_, **__: ())
+    check_types(WRONG)

@@ -34,6 +34,7 @@ class Follower(threading.Thread):
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 @pytest.mark.parametrize("stem", ["02_nodes", "13_qos_and_discovery"])
 def test_a_lesson_shows_what_is_committed(stem: str, capfd: pytest.CaptureFixture[str]) -> None:
     watcher = Watcher()

@@ -95,6 +95,7 @@ def changed(path: Path, old: str, new: str) -> Path:
     return path
 
 
+@pytest.mark.whole
 def test_a_lesson_on_real_ros_passes_again_and_again(tmp_path: Path) -> None:
     path = built(tmp_path, PUB_SUB, END)
     assert "heard error" in path.read_text(encoding="utf-8")
@@ -105,6 +106,7 @@ def test_a_lesson_on_real_ros_passes_again_and_again(tmp_path: Path) -> None:
         assert "2 passed" in said
 
 
+@pytest.mark.whole
 def test_files_that_a_lesson_writes_are_gone_afterward_and_new_each_time(tmp_path: Path) -> None:
     path = built(tmp_path, "%%writefile my_wave.py\nwave = 1", "import my_wave\nprint(my_wave.wave)")
     assert "Writing my_wave.py" in path.read_text(encoding="utf-8")
@@ -119,6 +121,7 @@ def test_two_builds_of_a_lesson_on_real_ros_are_the_same(tmp_path: Path) -> None
     assert built(tmp_path, PUB_SUB, END).read_bytes() == first
 
 
+@pytest.mark.whole
 def test_the_last_state_is_compared_and_noise_is_not(tmp_path: Path) -> None:
     place = "import os\nprint('answers at', len(os.environ.get('WORKBOOK_ANSWERS', '')) > 0)"
     path = built(tmp_path, MOVING, CLEARED, "print(object())", place)
@@ -197,6 +200,7 @@ def test_a_magic_that_does_not_exist_fails_even_where_nothing_is_compared(tmp_pa
     assert "UsageError: Line magic function `%no_such_magic` not found" in said
 
 
+@pytest.mark.whole
 def test_an_exercise_is_run_with_the_starter_and_with_the_solution(
     tmp_path: Path,
     temporary: Path,

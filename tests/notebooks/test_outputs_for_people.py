@@ -8,6 +8,8 @@ from typing import Any
 import nbformat
 import pytest
 
+from workbook.authoring.plain_helpers import TITLE
+
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 NOTEBOOKS = sorted(path.stem for path in FOLDER.glob("[0-9][0-9]_*.ipynb"))
 LESSONS = [stem for stem in NOTEBOOKS if not stem.endswith("_deeper")]
@@ -45,7 +47,7 @@ def test_a_reader_writes_lines_that_are_checked(stem: str) -> None:
 @pytest.mark.parametrize("stem", LESSONS)
 def test_folds_show_plain_rclpy_for_the_helpers(stem: str) -> None:
     """For `init`, which a lesson can't do without if it creates a node: the others come with it."""
-    folds = [cell.source for cell in cells(stem, "markdown") if "The same without helpers" in cell.source]
+    folds = [cell.source for cell in cells(stem, "markdown") if TITLE in cell.source]
     assert folds
     if any(re.search(r"(?<![\w.])init\(\)", cell.source) for cell in cells(stem, "code")):
         assert "rclpy.init()" in "".join(folds)

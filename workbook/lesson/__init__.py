@@ -1,7 +1,7 @@
-"""What the cells of a lesson use: predictions, programs beside the notebook, live views, pictures of recordings.
+"""Provide the functions that lesson cells import: predictions, programs, live views, and figures of recordings.
 
-Lessons import from the package itself (`from workbook.lesson import run`). The faces above import modules of it for
-what a lesson and an exercise share: `startup` and `progress`. Each name is imported at first use.
+Lessons import from the package itself (`from workbook.lesson import run`). The layers above import the modules that
+lessons and exercises share: `startup` and `progress`. Each name is imported on first use.
 """
 
 from importlib import import_module

@@ -1,4 +1,4 @@
-"""A student's activity in a lesson, noted for `%progress`: the cells run, which of them one by one, the predictions."""
+"""Record a student's activity in a lesson for `%progress`: cells run, cells read, and predictions."""
 
 import os
 import time
@@ -7,39 +7,42 @@ from pathlib import Path
 from typing import Any
 
 from workbook.exercise.source import STEM
+from workbook.lesson.front_end import asked
 from workbook.lesson.progress import changed_progress, load_progress
 
 AT_LEAST_S = 2.0
-"""Between two cells that somebody reads. Slower than any automatic run, and quicker than anybody reads."""
+"""A cell counts as read only if it was sent at least this long after the previous one. Reading takes longer; automatic
+runs are faster.
+"""
 AT_ONCE_S = 0.5
-"""Cells that are sent within this time of each other were sent together, on a slow machine, too."""
+"""Cells sent within this time of each other were sent together, even on a slow machine."""
 BY_ITSELF_S = 0.2
-"""Editors that send the next cell of a Run All when the last has ended do so within this time; a person does not."""
+"""In a Run All, some editors send the next cell within this time after the previous one's end. A person is slower."""
 
 
 class StudyPace:
-    """Tells cells that a person runs one by one from those of a Run All.
+    """Tell cells that a person runs one by one from the cells of a Run All.
 
-    A cell counts as read when it was sent at least `AT_LEAST_S` after the one before, and not in the instant after that
-    had ended. JupyterLab sends all cells of a Run All at once, VS Code each when the last has ended. The first cell of
-    a Run All looks like one that was run alone: it is taken back when the next one comes too soon.
+    A cell counts as read if it was sent at least `AT_LEAST_S` after the previous cell, and not in the instant after
+    that cell ended. JupyterLab sends all cells of a Run All together; VS Code sends each when the last one has ended.
+    The first cell of a Run All looks as if a person ran it, so it's taken back if the next one comes too soon.
     """
 
     def __init__(self) -> None:
         self.counted: str | None = None
-        """The last cell, if it was that run of it that made it count."""
+        """The last cell, if its last run made it count as read."""
         self._sent: float | None = None
         self._ended = 0.0
 
     def takes_back(self, sent: float) -> str | None:
-        """The last cell, if it was that run that made it count, and the next one came too soon after it."""
+        """Return the last cell if it counted as read, but the next cell, sent at `sent`, came too soon; else None."""
         if self._sent is None:
             return None
         too_soon = sent - self._sent < AT_ONCE_S or 0 <= sent - self._ended < BY_ITSELF_S
         return self.counted if too_soon else None
 
     def step(self, sent: float) -> bool:
-        """Whether the cell sent at `sent`, which has just ended, was run alone."""
+        """Return whether the cell sent at `sent`, which has just ended, was run alone."""
         alone = self._sent is None or (
             sent - self._sent >= AT_LEAST_S and not 0 <= sent - self._ended < BY_ITSELF_S
         )
@@ -51,9 +54,10 @@ _pace = StudyPace()
 
 
 def lesson_stem() -> str | None:
-    """The lesson that this kernel belongs to, as far as Jupyter says; None for exercises and other notebooks.
+    """Return the lesson that this kernel belongs to, as far as Jupyter reports it.
 
-    Nothing is noted while notebooks are built or compared: there is no name then.
+    The result is None for exercises and other notebooks. While notebooks are built or compared, there is no name, so
+    nothing is noted.
     """
     path = Path(os.environ.get("JPY_SESSION_NAME", ""))
     if path.suffix != ".ipynb" or path.parent.name != "notebooks" or not STEM.fullmatch(path.stem):
@@ -62,7 +66,7 @@ def lesson_stem() -> str | None:
 
 
 def _sent_at() -> float:
-    """When the front end sent the cell that is running; now where it does not say."""
+    """Return when the front end sent the running cell (s since 1970). If that's unknown, return the current time."""
     from IPython.core.getipython import get_ipython
 
     parent: object = getattr(get_ipython(), "get_parent", dict)()
@@ -71,7 +75,7 @@ def _sent_at() -> float:
 
 
 def note_prediction(about: str, choice: str) -> None:
-    """Note the option chosen for the experiment `about`; does nothing outside of lessons."""
+    """Save the option chosen for the experiment `about`. Outside of lessons, do nothing."""
     stem = lesson_stem()
     if stem is None:
         return
@@ -79,11 +83,11 @@ def note_prediction(about: str, choice: str) -> None:
         with changed_progress(stem) as progress:
             progress.predictions[about] = choice
     except OSError:
-        pass  # a folder that cannot be written: the lesson goes on without notes
+        pass  # the folder isn't writable, so the lesson goes on without notes
 
 
 def note_outcome_seen(name: str) -> None:
-    """Note that the outcome of a prediction was shown: the choice stays from now on."""
+    """Save that a prediction's outcome was shown. From now on, the choice can't be changed."""
     stem = lesson_stem()
     if stem is None:
         return
@@ -96,7 +100,7 @@ def note_outcome_seen(name: str) -> None:
 
 
 def kept_choice(name: str) -> tuple[str | None, bool]:
-    """The option chosen for a prediction, in this kernel or before, and whether its outcome was shown."""
+    """Return the option chosen for a prediction, in this kernel or earlier, and whether its outcome was shown."""
     stem = lesson_stem()
     if stem is None:
         return None, False
@@ -105,14 +109,16 @@ def kept_choice(name: str) -> tuple[str | None, bool]:
 
 
 def note_cell(result: Any, sent: float | None = None) -> None:
-    """Note that a cell has run. IPython calls this with the result after each cell.
+    """Save that a cell has run. IPython calls this function with the result after each cell.
 
-    `sent`: when the front end asked for it (seconds since 1970); by default, what Jupyter's message says.
+    `sent`: when the front end sent the cell (s since 1970). It defaults to the date in Jupyter's message.
     """
     stem = lesson_stem()
     cell = getattr(getattr(result, "info", None), "cell_id", None)
     if stem is None or not isinstance(cell, str):
         return
+    if (drawn := asked()) is not None and "choice" in drawn:
+        return  # a click on an option is saved as a prediction and doesn't count for the pace
     sent = _sent_at() if sent is None else sent
     not_read, is_read = _pace.takes_back(sent), _pace.step(sent)
     try:

@@ -1,4 +1,4 @@
-"""The best version of each answer: what it earned is kept, the version itself as a file, and nothing takes it back."""
+"""Keep each answer's best version as a file, and its points in the saved progress."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -13,16 +13,16 @@ BEST = ".best"
 
 
 class NothingJudged(LookupError):
-    """There is no best version yet; the text says what makes one."""
+    """No version has earned points yet, so there is no best one."""
 
 
 def best_file(stem: str, folder: Path | None = None) -> Path:
-    """The file of the best version that was judged, whether it exists or not."""
+    """Return the path of the best judged version, whether or not it exists."""
     return (folder or answers_folder()) / BEST / f"{stem}.py"
 
 
 def best_text(stem: str, folder: Path | None = None) -> str | None:
-    """The best version that was judged; None before the first point."""
+    """Return the text of the best judged version; None before the first point."""
     try:
         return best_file(stem, folder).read_text(encoding="utf-8")
     except OSError:
@@ -30,7 +30,10 @@ def best_text(stem: str, folder: Path | None = None) -> str | None:
 
 
 def hands_in_another(stem: str, folder: Path | None = None) -> bool:
-    """Whether the file to hand in is not the best version. Of equally good ones, the last that was judged is it."""
+    """Return whether the file to hand in differs from the best version.
+
+    Among equally good versions, the last one counts as the best.
+    """
     best = best_text(stem, folder)
     if best is None:
         return False
@@ -42,7 +45,7 @@ def hands_in_another(stem: str, folder: Path | None = None) -> bool:
 
 
 def restore_best(stem: str, folder: Path | None = None) -> Saved:
-    """Make the best version the file to hand in; the one before is kept. Raises NothingJudged."""
+    """Replace the file to hand in with the best version, and keep the old one. Raise NothingJudged if there is none."""
     best = best_text(stem, folder)
     if best is None:
         raise NothingJudged(f"No version of {stem} has earned points yet, so there is none to restore.")
@@ -50,7 +53,7 @@ def restore_best(stem: str, folder: Path | None = None) -> Saved:
 
 
 class Check:
-    """One check of one answer: a try, whose last word counts, and which never lowers what earlier ones earned."""
+    """One check of an answer. It counts as one try, its last judgment counts, and it never lowers earlier points."""
 
     def __init__(self, stem: str, text: str) -> None:
         self._stem = stem
@@ -61,14 +64,14 @@ class Check:
         self._noted = False
 
     def note(self, judgement: Judgement) -> None:
-        """Keep the outcome. A later judgement of the same check replaces it."""
+        """Save a judgment. A later judgment of the same check replaces it."""
         keep_recording(judgement)
         if judgement.status != "graded":
             return
         points = wording.shown_points(judgement)[0]
         with changed_progress(self._stem) as progress:
             if (progress.solved, progress.best, best_text(self._stem)) != self._left:
-                # another notebook or a terminal has judged meanwhile
+                # another notebook or a terminal has judged this exercise in the meantime
                 self.before, self._best_before = replace(progress), best_text(self._stem)
             progress.tries += not self._noted
             progress.solved = self.before.solved or wording.all_shown_hold(judgement)
@@ -78,7 +81,7 @@ class Check:
         self._noted = True
 
     def best_of_another_version(self) -> float | None:
-        """The points of the best version when that is not the one of this check; else None."""
+        """Return the best version's points if this check judged a different version; else None."""
         best = best_text(self._stem)
         if best is None or same_program(best, self._text):
             return None

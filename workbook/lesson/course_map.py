@@ -1,9 +1,10 @@
-"""The course as a map: what is read, predicted and solved, lesson by lesson, and where to go on.
+"""Map the course: which lessons are read, predicted, and solved, and where to continue.
 
-`%progress`, `workbook progress` and the home page show these figures.
+`%progress`, `workbook progress`, and the home page show the results.
 """
 
 import json
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,14 +18,16 @@ from workbook.lesson.best_answers import hands_in_another
 from workbook.lesson.progress import LessonProgress, all_progress
 
 READ_SHARE = 0.9
-"""Of a lesson's code cells: who ran nine in ten of them one by one has read it."""
+"""A lesson counts as read when this share of its code cells was run one by one."""
+_FENCED = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 _HEADING = re.compile(r"^#{1,3} +(.+)$", re.MULTILINE)
+_ABLE_TO = re.compile(r"^- \*\*You will be able to:\*\*\s*(?:- )?(.+(?:\n {2,}(?!- ).+)*)", re.MULTILINE)
 _ASKS = re.compile(r"^predict\(\s*[\"']([^\"']+)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class CellToGoOnAt:
-    """A cell to go on at: the notebook below the student's folder, the cell's id, the heading that it stands under."""
+    """A cell where the student can continue: its notebook (path below the student's folder), ID, and heading."""
 
     notebook: str
     cell: str
@@ -33,7 +36,7 @@ class CellToGoOnAt:
 
 @dataclass(frozen=True)
 class CodeCell:
-    """A code cell of a lesson. `asks`: the name of the prediction that it asks for, or empty."""
+    """A lesson's code cell. `asks`: the name of the prediction that it asks for; empty if none."""
 
     id: str
     heading: str
@@ -42,17 +45,18 @@ class CodeCell:
 
 @dataclass(frozen=True)
 class LessonText:
-    """What is known of a lesson before anybody has opened it."""
+    """A lesson's contents. `promise`: the first skill that the lesson's introduction lists."""
 
     stem: str
     title: str
     minutes: str
+    promise: str
     cells: tuple[CodeCell, ...]
 
 
 @dataclass(frozen=True)
 class ExerciseState:
-    """An exercise: its title, points (best, most), judged tries, and whether the file to hand in is the best one."""
+    """An exercise's title, points (best, maximum), judged tries, and whether the file to hand in isn't the best one."""
 
     title: str
     points: tuple[float, float]
@@ -63,50 +67,58 @@ class ExerciseState:
 
 @dataclass(frozen=True)
 class LessonState:
-    """One lesson. `cells` and `predictions`: done, of how many. `exercise` is None where there is none.
+    """The state of one lesson. `cells` and `predictions`: done and total. `exercise` is None if there is none.
 
-    `place`: where to go on reading; None when it is read. `touched`: when something was last done in it.
+    `place`: where to continue reading; None if every cell was read. `missing`: the first unread cell under each
+    heading. `touched`: when the student last worked on the lesson (s since 1970).
     """
 
     stem: str
     title: str
     minutes: str
+    promise: str
     cells: tuple[int, int]
     predictions: tuple[int, int]
     exercise: ExerciseState | None
     place: CellToGoOnAt | None
+    missing: tuple[CellToGoOnAt, ...]
     touched: float
 
     @property
     def is_optional(self) -> bool:
-        """Whether this goes deeper than its lesson: nobody has to read it."""
+        """Whether this lesson is a deeper one, which is optional."""
         return self.stem.endswith(DEEPER)
 
     @property
     def is_read(self) -> bool:
-        """Whether nine in ten of its code cells were run one by one."""
+        """Whether nine in ten of the lesson's code cells were run one by one."""
+        return self.cells_to_go == 0
+
+    @property
+    def cells_to_go(self) -> int:
+        """The number of cells still to be read until the lesson counts as read."""
         done, of = self.cells
-        return done >= READ_SHARE * of
+        return max(0, math.ceil(READ_SHARE * of) - done)
 
     @property
     def is_done(self) -> bool:
-        """Whether it is read, and its exercise solved."""
+        """Whether the lesson is read and its exercise, if any, is solved."""
         return self.is_read and (self.exercise is None or self.exercise.solved)
 
     @property
     def lesson_path(self) -> str:
-        """Its notebook, below the student's folder."""
+        """The lesson's notebook, as a path below the student's folder."""
         return f"notebooks/{self.stem}.ipynb"
 
     @property
     def exercise_path(self) -> str:
-        """The notebook of its exercise, below the student's folder."""
+        """The exercise's notebook, as a path below the student's folder."""
         return f"exercises/{self.stem}.ipynb"
 
 
 @dataclass(frozen=True)
 class CourseMap:
-    """The state of one student in all lessons."""
+    """A student's state in all lessons."""
 
     lessons: tuple[LessonState, ...]
 
@@ -117,16 +129,16 @@ class CourseMap:
 
     @property
     def next_lesson(self) -> LessonState | None:
-        """The unfinished lesson that was worked on last, else the first unfinished one; None when all is done.
+        """The unfinished lesson that the student worked on last, else the first unfinished one; None if all are done.
 
-        Optional ones are never next.
+        Optional lessons are never next.
         """
         unfinished = [one for one in self.lessons if not one.is_done and not one.is_optional]
         return max(unfinished, key=lambda one: one.touched, default=None)
 
     @property
     def next_step(self) -> str:
-        """What to do next, in words."""
+        """The next step, as a sentence."""
         lesson = self.next_lesson
         if lesson is None:
             return "You have done all there is. Well done!"
@@ -139,12 +151,12 @@ class CourseMap:
 
     @property
     def exercises(self) -> list[ExerciseState]:
-        """All exercises there are."""
+        """All exercises of the course."""
         return [one.exercise for one in self.lessons if one.exercise is not None]
 
     @property
     def sums(self) -> dict[str, tuple[float, float]]:
-        """Done, of how many: lessons read, predictions made, exercises solved, points. Optional ones do not count."""
+        """Done and total: lessons read, predictions made, exercises solved, points. Optional lessons don't count."""
         of = self.exercises
         lessons = [one for one in self.lessons if not one.is_optional]
         return {
@@ -158,8 +170,14 @@ class CourseMap:
         }
 
     @property
+    def share(self) -> int:
+        """The percentage of the course that is done. Each lesson read and each exercise solved has equal weight."""
+        parts = [self.sums[name] for name in ("lessons read", "exercises solved")]
+        return int(100 * sum(done for done, _ in parts) / max(1, sum(of for _, of in parts)))
+
+    @property
     def not_best(self) -> list[LessonState]:
-        """Lessons whose file to hand in is not the best version."""
+        """Lessons whose file to hand in isn't the best version."""
         return [one for one in self.lessons if one.exercise is not None and one.exercise.hands_in_another]
 
 
@@ -168,9 +186,11 @@ def course_map(
     done: Mapping[str, LessonProgress] | None = None,
     answers: Path | None = None,
 ) -> CourseMap:
-    """The state of this student. `course`, `done` and `answers` default to what is installed and what is kept.
+    """Return this student's course map.
 
-    Raises NoCourse, BrokenCriteria, and OSError where a lesson cannot be read.
+    `course`, `done`, and `answers` default to the installed course and the saved progress.
+
+    Raise NoCourse, BrokenCriteria, or, if a lesson can't be read, OSError.
     """
     folder = course_folder() if course is None else course
     kept = all_progress(answers) if done is None else done
@@ -189,26 +209,30 @@ def course_map(
 
 
 def _state(lesson: LessonText, progress: LessonProgress, exercise: ExerciseState | None) -> LessonState:
-    """What is done of a lesson. A prediction that was made counts as read, however its cell was run."""
+    """Return a lesson's state. The cell of a prediction that was made counts as read, no matter how it was run."""
     read = {one.id for one in lesson.cells if one.id in progress.read or one.asks in progress.predictions}
     asked = sum(bool(one.asks) for one in lesson.cells)
     left = [one for one in lesson.cells if one.id not in read]
     later = [one for one in _after_the_last(lesson.cells, read) if one.id not in read]
+    missing = {one.id: CellToGoOnAt(f"notebooks/{lesson.stem}.ipynb", one.id, one.heading) for one in left}
+    headings = {one.heading: missing[one.id] for one in reversed(left)}
     at = next(iter(later or left), None)
     return LessonState(
         stem=lesson.stem,
         title=lesson.title,
         minutes=lesson.minutes,
+        promise=lesson.promise,
         cells=(len(read), len(lesson.cells)),
         predictions=(min(len(progress.predictions), asked), asked),
         exercise=exercise,
-        place=CellToGoOnAt(f"notebooks/{lesson.stem}.ipynb", at.id, at.heading) if at else None,
+        place=missing[at.id] if at else None,
+        missing=tuple(reversed(headings.values())),
         touched=progress.touched,
     )
 
 
 def _after_the_last(cells: tuple[CodeCell, ...], read: set[str]) -> tuple[CodeCell, ...]:
-    """The cells after the last one that was read: who skips an experiment goes on behind it."""
+    """Return the cells after the last one read, so that a student who skips an experiment continues after it."""
     last = max((place for place, one in enumerate(cells) if one.id in read), default=-1)
     return cells[last + 1 :]
 
@@ -220,18 +244,26 @@ def _lesson(path: Path, _mtime: int) -> LessonText:
     for cell in cells:
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
-            heading = [heading, *_HEADING.findall(source)][-1]
+            heading = [heading, *_HEADING.findall(_FENCED.sub("", source))][-1]
         elif cell["cell_type"] == "code":
             asks = _ASKS.search(source)
             found.append(CodeCell(cell["id"], heading.strip(), asks[1] if asks else ""))
     intro = "".join(cells[0]["source"])
     minutes = re.search(r"\*\*Minutes:\*\* *(\d+)", intro)
     title = intro.splitlines()[0].lstrip("# ").strip()
-    return LessonText(path.stem, title, minutes[1] if minutes else "", tuple(found))
+    able = _ABLE_TO.search(intro)
+    promise = " ".join(able[1].split()) if able else ""
+    return LessonText(
+        path.stem,
+        title,
+        minutes[1] if minutes else "",
+        promise[:1].upper() + promise[1:],
+        tuple(found),
+    )
 
 
 @lru_cache(maxsize=256)
 def _exercise(course: Path, stem: str) -> tuple[str, float]:
-    """Title, and the points of the criteria that a student sees."""
+    """Return the exercise's title and the total points of the criteria that students see."""
     exercise = load_exercise(stem, course)
     return exercise.source.title, sum(one.points for one in exercise.criteria if not one.hidden)

@@ -1,4 +1,4 @@
-"""The report of `workbook doctor` in a notebook: is this machine ready?"""
+"""Show in a notebook whether this machine is ready, with the report of `workbook doctor`."""
 
 import os
 import subprocess
@@ -8,15 +8,15 @@ from workbook.ros.environment import is_leftover, uses_wheels
 
 _DOCTOR = ("-P", "-m", "workbook.cli.main", "doctor")
 _OK = "✓"
-_NAME_ENDS = 22  # a line of the report is sign, word and name, and then what was seen
+_NAME_ENDS = 22  # a report line consists of a sign, a word, a name, and then the finding
 
 
 def doctor() -> bool:
-    """Run `workbook doctor` and print its report as it comes, in full only where something needs attention.
+    """Run `workbook doctor` and print its report line by line, shortening findings that are OK.
 
-    Returns whether the machine is ready.
+    Return whether the machine is ready.
     """
-    # What this kernel set for its own domain would look like leftovers of a sourced ROS.
+    # The doctor would report this kernel's own ROS variables as leftovers of a sourced ROS.
     environ = {name: value for name, value in os.environ.items() if not (uses_wheels() and is_leftover(name))}
     with subprocess.Popen(
         [sys.executable, *_DOCTOR],

@@ -1,4 +1,4 @@
-"""Films of lessons: pictures of a camera, alone or next to the robot's head, that play in the page and stay there."""
+"""Play films of camera images, alone or next to the robot's head. They're saved with the notebook."""
 
 import base64
 import io
@@ -14,14 +14,14 @@ from workbook.scenes.scene import BALL_RADIUS_M, DESK_M
 from workbook.templating import render
 
 HEIGHT = 240
-"""Pixels of the page. A picture of a camera is brought to this height."""
+"""Height on the page, in pixels. Camera images are scaled to it."""
 
 
 def with_head(picture: Pixels, neck: float, ball: tuple[float, float] | None, camera: Pinhole) -> bytes:
-    """A picture of the camera in the head, RGB, with its center line, and the head from above, as PNG bytes.
+    """Draw the head camera's RGB image with its center line, next to the head from above. Return PNG bytes.
 
-    `neck`: how far the head is turned to the left (rad). `ball`: its column and row in pixels of the `camera`, which
-    may be larger than the picture; None if it is not there.
+    `neck`: the head's angle to the left (rad). `ball`: its column and row in pixels of the `camera`, which may be
+    larger than the image; None without a ball.
     """
     marked = picture.copy()
     marked[:, marked.shape[1] // 2] = 255
@@ -35,12 +35,12 @@ def with_head(picture: Pixels, neck: float, ball: tuple[float, float] | None, ca
 
 
 def alone(picture: Pixels) -> bytes:
-    """A picture of a camera, RGB, as PNG bytes."""
+    """Convert an RGB camera image to PNG bytes."""
     return _png(_of_height(Image.fromarray(picture)))
 
 
 def show_film(pictures: Sequence[bytes], description: str, per_second: float = 10.0) -> None:
-    """Show PNG pictures one after another, in the cell, with alternative text. Keep numbers out of it."""
+    """Show PNG images one after another in the cell, with alternative text. Keep numbers out of that text."""
     from IPython.display import display
 
     moving = film(pictures, per_second=per_second, exact=False)

@@ -1,4 +1,4 @@
-"""The graph of this moment as a picture: which nodes talk, over which topics."""
+"""Draw the current graph: which nodes exchange messages over which topics."""
 
 from workbook.pictures import graph as drawing
 from workbook.pictures.stills import Still

@@ -1,6 +1,6 @@
-"""A report to somebody who helps from afar: an answer, its last recording, and what the doctor says, in one file.
+"""Write and read reports for a remote helper: an answer, its last recording, and the doctor's findings.
 
-The file is JSON, and a student can read it before sending it. The functions that read it trust nothing in it.
+A report is a JSON file, so a student can read it before sending it. Reading treats it as untrusted input.
 """
 
 import getpass
@@ -19,17 +19,17 @@ from workbook.recording.codec import decode, encode
 from workbook.recording.recording import Recording
 
 LARGEST_BYTES = 20_000_000
-"""Of a file that is read. A recording of an exercise takes some kilobytes, and one of a camera some megabytes."""
+"""The largest file that is read. A recording usually takes some kilobytes; a camera's takes some megabytes."""
 _HOMES = re.compile(r"/(?:home|Users)/[^/\s\"'<>:;,()]+")
 _PROGRAMS_WORDS = ("process", "notes", "findings")
-"""Parts of a recording that hold text of the system. Its messages are the student's answer, and stay as they are."""
+"""Parts of a recording that contain text from the system. Messages are the student's answer, so they aren't changed."""
 
 
 @dataclass(frozen=True)
 class HelpReport:
-    """What a student sends. `recording` is None before the first check. `doctor`: the lines of its report.
+    """A student's report. `recording` is None before the first check. `doctor`: the lines of the doctor's report.
 
-    `is_of_this_answer`: whether the recording shows this very answer, and not an earlier version.
+    `is_of_this_answer`: whether the recording shows this version of the answer, not an earlier one.
     """
 
     kind: Literal["rclpy-workbook report"]
@@ -42,13 +42,13 @@ class HelpReport:
 
 
 class NoReport(ValueError):
-    """A file holds no report that can be shown. The message says why."""
+    """The file isn't a readable report. The message says why."""
 
 
 def help_report(
     exercise: str, answer: str, sha256: str, last: LastRecording | None, doctor: tuple[str, ...]
 ) -> str:
-    """The report as JSON, without home paths, user name, and host name."""
+    """Return the report as JSON, with home paths, user name, and host name replaced."""
     report = HelpReport(
         "rclpy-workbook report",
         exercise,
@@ -83,7 +83,7 @@ def _without_paths(text: str) -> str:
 
 
 def without_names(text: str) -> str:
-    """Take home folders and the names of the user and the machine out of a text."""
+    """Replace home folders, the user name, and the host name in a text."""
     text = _without_paths(text)
     host = platform.node()
     names = [(host, "HOST"), (host.split(".")[0], "HOST"), (_user(), "USER")]
@@ -101,7 +101,7 @@ def _user() -> str:
 
 
 def read_report(path: Path, exercises: Collection[str]) -> HelpReport:
-    """Read a file that somebody has sent. Raises NoReport."""
+    """Read a report that a student sent. Raise NoReport if that fails."""
     try:
         if not path.is_file():
             raise NoReport(f"there is no file {path}")

@@ -1,4 +1,4 @@
-"""A slider for a number, next to the robot or the figure that shows what the number does."""
+"""Show a slider for a number, next to the robot or figure that depends on the number."""
 
 import asyncio
 import time
@@ -18,7 +18,7 @@ LOOK_EVERY_S = 0.05
 
 
 class Knob:
-    """The slider, and which number is in force. Without widgets it stays at the number typed in the cell."""
+    """A slider and its current number. Without widgets, the number stays as typed in the cell."""
 
     def __init__(self, name: str, value: Number, between: tuple[Number, Number]) -> None:
         low, high = between
@@ -31,7 +31,7 @@ class Knob:
         self._slider: Any = None
 
     def show(self) -> None:
-        """Put it on the page; in words for readers without widgets."""
+        """Show the slider, or a sentence where widgets are missing."""
         low, high = self.between
         words = (
             f"Slider: {self.name} from {low} to {high}. Or change the number in the cell and run it again."
@@ -40,7 +40,7 @@ class Knob:
         try:
             self._slider = self._made()
             data[WIDGET] = self._slider._repr_mimebundle_()[WIDGET]
-        except Exception:  # widgets are missing, or do not work here: the text says what to do
+        except Exception:  # widgets are missing or don't work here, so the text says what to do
             self._slider = None
         display(data, raw=True)
 
@@ -59,7 +59,7 @@ class Knob:
             readout_format="d" if whole else ".2f",
         )
         slider.style.description_width = "initial"
-        slider.layout.width = "min(420px, 100%)"
+        slider.layout.width = "min(560px, 100%)"
         slider.observe(self._on_turn, names="value")
         return slider
 
@@ -68,10 +68,10 @@ class Knob:
         self.turned_at = time.monotonic()
 
     def end(self) -> None:
-        """It turns nothing any more; running its cell again makes a new one."""
+        """Disconnect the slider. Running its cell again creates a new one."""
         if self._slider is not None:
             self._slider.disabled = True
-            self._slider.description_tooltip = "Run the cell again to use this slider."
+            self._slider.description = f"{self.name} (ended: run the cell again)"
 
 
 async def knob(
@@ -83,11 +83,11 @@ async def knob(
     seconds: float = 10.0,
     **parameters: object,
 ) -> None:
-    """Run a program with a slider for its parameter `name`, and show the robot meanwhile.
+    """Run a program with a slider for its parameter `name`, and show the robot at the same time.
 
-    It starts with `value`. Each move of the slider starts the program again with the new number, and the cell goes on
-    for `seconds` s after that. Other `parameters` stay. Whole numbers make a slider of whole numbers. In the end the
-    program is stopped, also after Stop. Raises ValueError for a value outside of `between`.
+    The parameter starts at `value`. Each move of the slider restarts the program with the new number, and the cell
+    continues for `seconds` s after that. Other `parameters` stay the same. If all numbers are ints, the slider moves in
+    whole steps. At the end, also after Stop, the program is ended. Raise ValueError if `value` is outside of `between`.
     """
     turned = Knob(name, value, between)
     start(program, **{name: value}, **parameters)
@@ -107,7 +107,12 @@ async def knob(
 
     turned.turned_at = time.monotonic()
     try:
-        await watched(view, refresh, until=lambda: time.monotonic() > turned.turned_at + seconds)
+        await watched(
+            view,
+            refresh,
+            until=lambda: time.monotonic() > turned.turned_at + seconds,
+            ends_program=True,
+        )
     finally:
         turned.end()
         stop(program)
@@ -122,10 +127,10 @@ async def slide(
     describe: str,
     seconds: float = 8.0,
 ) -> None:
-    """Show a slider and the PNG that `draw` makes of its number; draw again after each move.
+    """Show a slider and the PNG that `draw` makes from its number, and redraw it after each move.
 
-    The cell goes on for `seconds` s after the last move. `describe` is the text for those who cannot see the figure.
-    Raises ValueError for a value outside of `between`.
+    The cell continues for `seconds` s after the last move. `describe` is the figure's alternative text. Raise
+    ValueError if `value` is outside of `between`.
     """
     turned = Knob(name, value, between)
     turned.show()

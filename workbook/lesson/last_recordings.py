@@ -1,4 +1,4 @@
-"""The last recording of each exercise, kept next to the answers: for a report to somebody who helps."""
+"""Keep the last recording of each exercise next to the answers, for a report to a remote helper."""
 
 import json
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class LastRecording:
 
 
 def keep_recording(judgement: Judgement, folder: Path | None = None) -> None:
-    """Keep the recording of a check, in place of the one before. A full disk costs it, and nothing else."""
+    """Replace the previous check's recording with the new one. If the disk is full, only the recording is lost."""
     if judgement.recording is None:
         return
     path = _file(judgement.stem, folder)
@@ -36,7 +36,7 @@ def keep_recording(judgement: Judgement, folder: Path | None = None) -> None:
 
 
 def last_recording(stem: str, folder: Path | None = None) -> LastRecording | None:
-    """The recording of the last check; None if there was none, or if it cannot be read."""
+    """Return the last check's recording; None if there is none, or if it can't be read."""
     try:
         return decode(LastRecording, json.loads(_file(stem, folder).read_text(encoding="utf-8")))
     except (OSError, ValueError, RecursionError):

@@ -1,4 +1,4 @@
-"""The picture of the machine in a lesson: note how messages and ticks come to their callbacks, and play it back."""
+"""Record how messages and timer ticks reach their callbacks, and play the recording in a lesson."""
 
 import json
 import time
@@ -20,20 +20,20 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.watching.observer import Observer
 
 STARTS_WITHIN_S = 30.0
-"""On a busy machine a program may take this long until it spins."""
+"""On a busy machine, a program may take this long until it spins."""
 POLL_S = 0.02
 
 
 @dataclass
 class Seen:
-    """What is seen of nodes while a `watch_machine` block runs; `recording` is there when it has ended."""
+    """Holds the recording of a `watch_machine` block. `recording` is None until the block has ended."""
 
     recording: MachineRecording | None = None
 
 
 @contextmanager
 def watch_machine(*nodes: Node) -> Iterator[Seen]:
-    """Note what happens between DDS and the callbacks of these nodes of the notebook, as long as the block runs."""
+    """While the block runs, record what happens between DDS and the callbacks of these nodes of the notebook."""
     seen = Seen()
     with MachineTap(nodes) as tap:
         yield seen
@@ -41,10 +41,11 @@ def watch_machine(*nodes: Node) -> Iterator[Seen]:
 
 
 def record_machine(program: Program, seconds: float = 3.0, **parameters: object) -> MachineRecording:
-    """Run a program of `lesson_nodes` as a process of its own, and note `seconds` of its node from its first spin on.
+    """Run a program from `lesson_nodes` in its own process, and record its node.
 
-    `parameters` are ROS parameters. The node has the name of the file, and the program a `main()`. Raises RuntimeError
-    with the program's log when it ended early or never spun.
+    The recording begins at the node's first spin and lasts `seconds`. `parameters` are ROS parameters. The node must
+    have the file's name, and the program needs a `main()`. Raise RuntimeError with the program's log if it ended early
+    or never spun.
     """
     file = program_file(program)
     folder = scratch_folder("machine")
@@ -78,7 +79,7 @@ def show_machine(
 def film_of(
     seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
 ) -> MovingMachine:
-    """The film that `show_machine` shows."""
+    """Return the film that `show_machine` shows."""
     recording = seen.recording if isinstance(seen, Seen) else seen
     if recording is None:
         raise RuntimeError("the block of watch_machine has not ended: show its recording after the block")

@@ -1,4 +1,4 @@
-"""Numbers that vary from run to run, and lines of code that the reader writes."""
+"""Format numbers that vary from run to run, and check lines of code that the reader writes."""
 
 import math
 from typing import Any
@@ -28,10 +28,10 @@ def about(value: float, unit: str = "", *, between: tuple[float, float], digits:
 
 
 def yours(got: Any, wanted: Any, hint: str = "") -> None:
-    """Print whether the reader's line does what it should; a `...` that is still there gets a reminder.
+    """Print whether the reader's line gives the wanted result, or a reminder if it still contains `...`.
 
-    Numbers, also those in tuples and lists, may differ by rounding errors. An array counts as a list. `hint` is
-    printed when the result is wrong.
+    Numbers, also in tuples and lists, may differ by rounding errors. An array counts as a list. `hint` is printed if
+    the result is wrong.
     """
     if _is_blank(got):
         print(_REMINDER)
@@ -75,7 +75,7 @@ def _same(got: Any, wanted: Any) -> bool:
             return False
     try:
         return bool(got == wanted)
-    except ValueError:  # arrays have no single answer
+    except ValueError:  # comparing arrays doesn't give a single bool
         return False
 
 

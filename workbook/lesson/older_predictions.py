@@ -1,4 +1,4 @@
-"""Predictions of lessons that are not converted yet: free words, and the key in the cell that recalls them."""
+"""Handle predictions of lessons that aren't converted yet: free text, with the key in the cell that recalls them."""
 
 from workbook.lesson.activity import note_prediction
 
@@ -7,7 +7,7 @@ _latest = ""
 
 
 def note_in_words(choice: str, about: str) -> None:
-    """Note the letter of an option, or a few words. `about` names the experiment."""
+    """Note an option's letter or a few words. `about` names the experiment."""
     global _latest
     text = choice.strip()
     _latest = about
@@ -21,12 +21,12 @@ def note_in_words(choice: str, about: str) -> None:
 
 
 def predicted(about: str | None = None) -> str | None:
-    """What was predicted for an experiment (the latest one if none is named); None if nothing was."""
+    """Return the prediction for an experiment (the latest one if none is named); None if there is none."""
     return _predictions.get(_latest if about is None else about)
 
 
 def recall(right: str, about: str | None = None) -> None:
-    """Show the prediction again beside what really happened: `recall("c", "two timers")`."""
+    """Show the prediction again next to the outcome: `recall("c", "two timers")`."""
     name = _latest if about is None else about
     mine = _predictions.get(name)
     if mine is None:

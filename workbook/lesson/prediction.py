@@ -1,4 +1,4 @@
-"""A prediction as data: its options, why each of them is right or wrong, and how a run decides between them."""
+"""Store a prediction as data: its options, why each option is right or wrong, and how a run decides between them."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Option:
-    """One thing that may happen. `when` is a condition on what the run measured, or empty."""
+    """A possible outcome. `when` is a condition on the run's measurements, or empty."""
 
     letter: str
     text: str
@@ -16,7 +16,7 @@ class Option:
 
 @dataclass(frozen=True)
 class Prediction:
-    """A question that a lesson asks before a run. `usual` is the letter of what happens as a rule."""
+    """A question that a lesson asks before a run. `usual` is the letter of the usual outcome."""
 
     name: str
     options: tuple[Option, ...]
@@ -24,23 +24,23 @@ class Prediction:
 
     @property
     def letters(self) -> str:
-        """The letters to choose from, in words: a, b or c."""
+        """The letters to choose from, as text: a, b or c."""
         *most, last = [option.letter for option in self.options]
         return f"{', '.join(most)} or {last}"
 
     def letter_of(self, choice: str) -> str | None:
-        """The letter that a choice begins with, "b) 60" for example; None when no option has it."""
+        """Return the letter that a choice, such as "b) 60", begins with; None if no option has that letter."""
         first = choice.strip(" \t\n\"'([*").casefold()[:1]
         return first if any(option.letter == first for option in self.options) else None
 
     def option(self, letter: str) -> Option:
-        """The option of a letter."""
+        """Return the option with a letter."""
         return next(option for option in self.options if option.letter == letter)
 
     def decided_by(self, measured: Mapping[str, object]) -> str | None:
-        """The letter of what happened in this run; None when it fits no option, or more than one.
+        """Return the letter of this run's outcome; None if it fits no option, or more than one.
 
-        Where no option has a condition, a run cannot decide, and it is what happens as a rule.
+        If no option has a condition, a run can't decide, so the usual outcome counts.
         """
         conditions = {option.letter: option.when for option in self.options if option.when}
         if not conditions:
@@ -50,5 +50,5 @@ class Prediction:
 
 
 def _holds(condition: str, measured: Mapping[str, object]) -> bool:
-    # The conditions are the course's own, and the build lets only comparisons through.
+    # This is safe, because the conditions come from the course itself, and the build accepts only comparisons.
     return bool(eval(condition, {"__builtins__": {}}, dict(measured)))

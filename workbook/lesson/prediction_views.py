@@ -1,4 +1,4 @@
-"""What a reader sees of a prediction: buttons to choose with, and after the run each option with its reason."""
+"""Show a prediction: buttons to choose with and, after the run, each option with its explanation."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
@@ -13,7 +13,7 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
 class Noted(NamedTuple):
-    """What came of a choice: the letter that counts now, if any, and words for the student."""
+    """The result of a choice: the letter that counts now (or None), and a sentence for the student."""
 
     letter: str | None
     words: str
@@ -23,11 +23,11 @@ Choose = Callable[[Prediction, str], Noted]
 
 
 def show_buttons(prediction: Prediction, question: str, chosen: str | None, choose: Choose) -> None:
-    """A button per option; a front end without widgets shows the question as text."""
+    """Show a button for each option. A front end without widgets shows the question as text."""
     try:
         widget = _buttons(prediction, question, chosen, choose)
         data = {WIDGET: widget._repr_mimebundle_()[WIDGET], "text/plain": question}
-    except Exception:  # widgets are missing, or do not work here: the text does everything they do
+    except Exception:  # widgets are missing or don't work here, but the text is enough to choose
         print(question)
         return
     display(data, raw=True)
@@ -63,7 +63,7 @@ def _buttons(prediction: Prediction, question: str, chosen: str | None, choose: 
 
 
 class Waiting:
-    """Stands where the outcome will be, while the reader has not chosen yet."""
+    """A placeholder for the outcome until the reader has chosen."""
 
     def __init__(self, letters: str) -> None:
         self.letters = letters
@@ -72,12 +72,12 @@ class Waiting:
         return f"Your prediction comes first: choose {self.letters} above. Then the outcome is shown here."
 
     def shown(self) -> Any:
-        """Show it, and return the handle of its place."""
+        """Show the placeholder, and return its display handle."""
         return display(self, display_id=True)
 
 
 class PredictionOutcome:
-    """The choice, what happened in this run, and why, for every option."""
+    """The outcome of a prediction: the choice, what happened in this run, and an explanation of every option."""
 
     def __init__(
         self, prediction: Prediction, happened: str | None, mine: str | None, measured: Mapping[str, object]
@@ -89,7 +89,7 @@ class PredictionOutcome:
 
     @property
     def headline(self) -> str:
-        """What happened and what was predicted, in a sentence or two."""
+        """The outcome and the prediction, in a sentence or two."""
         usual = self.prediction.usual
         if self.happened is None:
             told = ", ".join(f"{name} = {_rounded(value)}" for name, value in self.measured.items())
@@ -104,8 +104,9 @@ class PredictionOutcome:
         return f"You predicted {self.mine}. {said}" + (" Well predicted." if right else "")
 
     def rows(self) -> list[dict[str, Any]]:
-        """One entry per option: its sign, text, reason, and the marks beside it."""
+        """Return one entry per option: its sign, text, reason, marks, and kind (happened, mine, other)."""
         happened = self.happened or self.prediction.usual
+        kinds = {self.mine: "mine", happened: "happened"}
         rows = []
         for option in self.prediction.options:
             marks = []
@@ -123,6 +124,7 @@ class PredictionOutcome:
                     "text": pieces(option.text),
                     "why": pieces(option.why),
                     "marks": marks,
+                    "kind": kinds.get(option.letter, "other"),
                 }
             )
         return rows
@@ -139,19 +141,26 @@ class PredictionOutcome:
         unusual = self.happened != self.prediction.usual
         right = self.mine in (None, self.happened)
         color = AMBER if unusual else GREEN if right else BLUE
-        return render("lesson/outcome", color=color, headline=self.headline, rows=self.rows())
+        return render(
+            "lesson/outcome",
+            color=color,
+            colors={"happened": GREEN, "mine": BLUE},
+            headline=self.headline,
+            rows=self.rows(),
+            folds=self.mine is not None,
+        )
 
     def shown(self) -> None:
-        """Show it below the cell that runs."""
+        """Show the outcome below the running cell."""
         display(self)
 
     def shown_at(self, place: Any) -> None:
-        """Show it where `Waiting` stood."""
+        """Show the outcome in place of `Waiting`."""
         place.update(self)
 
 
 def pieces(text: str) -> list[tuple[str, bool]]:
-    """Text with `code` in backticks, as pieces and whether each is code. Other marks of Markdown go."""
+    """Split Markdown text at backticks into pieces, each with whether it's code. Bold marks are removed."""
     parts = text.split("`")
     return [
         (part if place % 2 else part.replace("**", ""), bool(place % 2))
@@ -161,7 +170,7 @@ def pieces(text: str) -> list[tuple[str, bool]]:
 
 
 def plain(text: str) -> str:
-    """The text without marks of Markdown."""
+    """Return the text without Markdown marks."""
     return "".join(part for part, _ in pieces(text))
 
 

@@ -1,7 +1,7 @@
-"""Predictions: say what will happen before you run it, and see afterwards whether it did.
+"""Ask for predictions before a run, and show afterward whether they were right.
 
-`predict("late-joiner")` asks, `reveal("late-joiner", late=...)` in the run answers. A choice may be changed until the
-run has revealed the outcome. Nothing is revealed to a reader who has not chosen.
+`predict("late-joiner")` asks, and `reveal("late-joiner", late=...)` after the run shows the outcome. Until then, a
+choice may be changed. A reader who hasn't chosen sees no outcome.
 """
 
 import os
@@ -9,25 +9,27 @@ from functools import cache
 from typing import Any
 
 from workbook.lesson.activity import kept_choice, note_outcome_seen, note_prediction
+from workbook.lesson.front_end import asked, show_prediction
 from workbook.lesson.older_predictions import note_in_words
 from workbook.lesson.prediction import Prediction
 from workbook.lesson.prediction_views import Noted, PredictionOutcome, Waiting, show_buttons
 from workbook.lesson.sealed_predictions import all_predictions
 
 UNATTENDED = "WORKBOOK_UNATTENDED"
-"""Environment variable: lessons are built or compared. Nobody chooses, and each outcome is shown."""
+"""Environment variable, set while lessons are built or compared. No reader chooses then, so each outcome is shown."""
 
 _known = cache(all_predictions)
 _chosen: dict[str, str] = {}
-_closed: set[str] = set()
+_closed: dict[str, str | None] = {}
+"""Predictions whose outcome this kernel has shown: the outcome's letter, or None if it fit no option."""
 _waiting: dict[str, tuple[dict[str, object], Any]] = {}
-"""Runs that came before the choice: what they measured, and the place that is to show the outcome."""
+"""Runs before the reader chose: their measurements, and the display handle that will show the outcome."""
 
 
 def predict(name: str, choice: str | None = None, about: str | None = None) -> None:
     """Ask for a prediction, or note one: `predict("late-joiner", "b")`.
 
-    With `about`, it notes a choice in the student's own words, as lessons that are not converted yet do.
+    With `about`, note a choice in the student's own words. Lessons that aren't converted yet use this.
     """
     if about is not None:
         note_in_words(name, about)
@@ -35,16 +37,23 @@ def predict(name: str, choice: str | None = None, about: str | None = None) -> N
     prediction = _find(name)
     if prediction is None:
         return
-    if choice is not None:
-        print(choose(prediction, str(choice)).words)
-    elif unattended():
+    if choice is None and unattended():
         print(_question(prediction))
+        return
+    drawn = asked()
+    if drawn is not None and drawn.get("name") == name:
+        clicked = drawn.get("choice") if choice is None else choice
+        _show_choice(prediction, None if clicked is None else choose(prediction, str(clicked)))
+    elif choice is not None:
+        noted = choose(prediction, str(choice))
+        print(noted.words)
+        _show_choice(prediction, noted)
     else:
         show_buttons(prediction, _question(prediction), _chosen_letter(prediction), choose)
 
 
 def reveal(name: str, **measured: object) -> None:
-    """Show the choice, what happened and why. `measured` is what the run decides by."""
+    """Show the choice, the outcome, and the explanations. The options' conditions refer to `measured`."""
     prediction = _find(name)
     if prediction is None:
         return
@@ -52,12 +61,15 @@ def reveal(name: str, **measured: object) -> None:
     if mine is None and not unattended():
         _waiting[name] = (measured, Waiting(prediction.letters).shown())
         return
-    _close(name)
-    PredictionOutcome(prediction, prediction.decided_by(measured), mine, measured).shown()
+    happened = prediction.decided_by(measured)
+    _close(name, happened)
+    PredictionOutcome(prediction, happened, mine, measured).shown()
+    words = "" if mine is None else f"Your prediction: {mine}."
+    show_prediction(name, mine, words, happened or prediction.usual)
 
 
 def choose(prediction: Prediction, choice: str) -> Noted:
-    """Note a choice, unless the outcome was shown before."""
+    """Note a choice, unless the outcome was already shown."""
     name = prediction.name
     letter, before = prediction.letter_of(choice), _chosen_letter(prediction)
     if letter is None:
@@ -68,14 +80,15 @@ def choose(prediction: Prediction, choice: str) -> Noted:
     note_prediction(name, letter)
     if name in _waiting:
         measured, place = _waiting.pop(name)
-        _close(name)
-        PredictionOutcome(prediction, prediction.decided_by(measured), letter, measured).shown_at(place)
+        happened = prediction.decided_by(measured)
+        _close(name, happened)
+        PredictionOutcome(prediction, happened, letter, measured).shown_at(place)
         return Noted(letter, f"Your prediction: {letter}. The outcome is shown below the cell that you ran.")
     return Noted(letter, f"Your prediction: {letter}. You can change it until you see the outcome.")
 
 
 def unattended() -> bool:
-    """Whether lessons are being built or compared, and nobody is there to choose."""
+    """Return whether lessons are being built or compared, so that no reader can choose."""
     return bool(os.environ.get(UNATTENDED))
 
 
@@ -95,11 +108,20 @@ def _chosen_letter(prediction: Prediction) -> str | None:
     return prediction.letter_of(letter) if letter else None
 
 
+def _show_choice(prediction: Prediction, noted: Noted | None) -> None:
+    """Have the front end's buttons show the current choice."""
+    name = prediction.name
+    letter = _chosen_letter(prediction) if noted is None else noted.letter
+    words = "" if noted is None else noted.words
+    outcome = (_closed.get(name) or prediction.usual) if letter and _is_closed(name) else None
+    show_prediction(name, letter, words, outcome)
+
+
 def _is_closed(name: str) -> bool:
     return name in _closed or kept_choice(name)[1]
 
 
-def _close(name: str) -> None:
-    _closed.add(name)
+def _close(name: str, happened: str | None) -> None:
+    _closed[name] = happened
     _waiting.pop(name, None)
     note_outcome_seen(name)

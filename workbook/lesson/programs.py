@@ -1,8 +1,9 @@
-"""Robot programs beside the notebook: start them as processes, record what they do, run them to their end."""
+"""Run robot programs next to the notebook: start them as processes, record their messages, and end them."""
 
 import atexit
 import os
 import time
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from contextlib import closing
 from pathlib import Path
@@ -11,7 +12,7 @@ from types import ModuleType
 from workbook.criteria.vocabulary.known_errors import shutdown_overtaken, without_executors_end
 from workbook.inside.proc import processor_seconds as processor_seconds_of
 from workbook.inside.proc import run_queue_s
-from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_it_serves
+from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_gone, wait_until_it_serves
 from workbook.programs.fork_client import own_server
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
@@ -24,16 +25,17 @@ from workbook.watching.quiescence import Quiescence
 Program = ModuleType | Path | str
 POLL_S = 0.02
 AT_WORK_WITHIN_S = 30.0
-"""On a busy machine a program may take this long to open its DDS ports."""
+"""On a busy machine, a program may take this long to open its DDS ports."""
 SETTLE_S = 1.0
-"""After the ports are open: imports and discovery are over by then, and only the work itself is measured."""
+"""The delay after the ports are open. Imports and discovery are over by then, so only the work itself is measured."""
 
 own_server.keep()  # a lesson runs many programs
 _started: dict[str, NodeProcess] = {}
+_nodes: dict[str, list[str]] = {}
 
 
 def program_file(program: Program) -> Path:
-    """The file of a program: a module such as `lesson_nodes.status_monitor`, or a path."""
+    """Return a program's file. A program is a module, such as `lesson_nodes.status_monitor`, or a path."""
     if isinstance(program, ModuleType):
         if program.__file__ is None:
             raise ValueError(f"{program.__name__} has no file that could be run")
@@ -42,10 +44,10 @@ def program_file(program: Program) -> Path:
 
 
 def start(program: Program, **parameters: object) -> str:
-    """Start a program as its own process on this notebook's domain; an earlier run of it is ended first.
+    """Start a program as its own process on this notebook's domain. An earlier run is ended first.
 
-    `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Returns the names of its nodes once they are
-    on the graph and at work. `stop` ends it. Raises RuntimeError with the program's log when it ended at once.
+    `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Return its nodes' names once they're on the
+    graph and spinning. `stop` ends the program. Raise RuntimeError with the program's log if it ended right away.
     """
     file = program_file(program)
     _end(file.stem)
@@ -53,30 +55,43 @@ def start(program: Program, **parameters: object) -> str:
     spec = ProgramSpec(file, parameters=parameters, in_panel=True)
     process = NodeProcess(spec, int(os.environ["ROS_DOMAIN_ID"]))
     _started[file.stem] = process
-    nodes = wait_for_nodes(process, known)
+    nodes = _nodes[file.stem] = wait_for_nodes(process, known)
     if nodes:
         wait_until_it_serves(process, nodes[0])
     if not process.is_running():
         _end(file.stem)
-        raise RuntimeError(f"{file.name} ended at once:\n{process.record().log.strip()}")
+        raise RuntimeError(f"{file.name} ended right away:\n{process.record().log.strip()}")
     return ", ".join(nodes)
 
 
 def stop(program: Program | None = None) -> None:
-    """End a program started with `start`, or all of them, as Ctrl-C would."""
+    """End a program started with `start`, or all of them, as Ctrl-C would. Return when their nodes left the graph."""
     for name in [program_file(program).stem] if program is not None else list(_started):
         _end(name)
+
+
+def still_running() -> list[str]:
+    """Return the names of programs that `start` started and that are still running."""
+    return [name for name, process in _started.items() if process.is_running()]
 
 
 def _end(name: str) -> ProcessRecord | None:
     process = _started.pop(name, None)
     if process is None:
         return None
+    names = _nodes.pop(name, [])
+    there = (
+        Counter({one: number for one, number in node_names().items() if one in names}) if names else Counter()
+    )
     process.stop()
+    wait_until_gone(there)
     return process.record()
 
 
-atexit.register(stop)
+@atexit.register
+def _stop_all() -> None:
+    _nodes.clear()  # the notebook's own node, which sees the graph, is going as well
+    stop()
 
 
 def record(
@@ -86,14 +101,14 @@ def record(
     clock: Clock = "simulated",
     **parameters: object,
 ) -> Recording:
-    """Run a program on a domain of its own and record the topics in `periods` (topic name: expected period in s).
+    """Run a program on its own domain and record the topics in `periods` (topic name: expected period in s).
 
     On the "simulated" clock, `seconds` of robot time pass as fast as the program can follow; on the "wall" clock they
     really pass. `parameters` are ROS parameters for its nodes.
     """
     if clock not in ("simulated", "wall"):
         raise ValueError(f'clock is "simulated" or "wall", not {clock!r}')
-    if clock == "simulated":  # from the start, so that the very first message is recorded
+    if clock == "simulated":  # set from the start, so that even the first message is recorded
         parameters = {"use_sim_time": True, **parameters}
     plan = Plan(
         tuple(periods),
@@ -110,10 +125,10 @@ def record(
 def processor_seconds(
     program: Program, seconds: float = 4.0, *, with_start: bool = True, **parameters: object
 ) -> float:
-    """Processor time (s) that a program takes in its first `seconds` of real time on a domain of its own.
+    """Return the CPU time (s) that a program uses in its first `seconds` of real time on its own domain.
 
-    Without `with_start`: in `seconds` of real time once it is at work, a second after its node has come up. That
-    includes how long its first thread waited in the run queue: on a busy machine it gets less time than it needs.
+    Without `with_start`, measurement starts a second after the program has opened its DDS ports. The result then
+    includes the first thread's time in the run queue, because on a busy machine, it gets less CPU time than it needs.
     """
     spec = ProgramSpec(program_file(program), parameters=parameters)
     with Observer() as observer:
@@ -139,12 +154,12 @@ def _wait_until_at_work(process: NodeProcess, domain_id: int) -> None:
 
 
 def arrivals(recording: Recording, topic: str) -> list[float]:
-    """When messages of `topic` arrived, in s of robot time."""
+    """Return the arrival times of the messages on `topic`, in s of robot time."""
     return [arrival.t for arrival in recording.topic(topic).arrivals]
 
 
 def values(recording: Recording, topic: str, field: str = "data") -> list[object]:
-    """The values of one field of all messages of `topic`."""
+    """Return one field's values from all messages on `topic`."""
     return [arrival.value[field] for arrival in recording.topic(topic).arrivals]
 
 
@@ -155,13 +170,12 @@ def run_program(
     interrupt_at: str | None = None,
     silence: float | None = None,
 ) -> ProcessRecord:
-    """Run a program behind a watchdog, and return how it ended. `program`: a module, a path, or code as text.
+    """Run a program with a time limit, and return how it ended. `program`: a module, a path, or code as text.
 
-    The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
-    ended when it has printed nothing for so many seconds after its first output: the time to start does not
-    count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text and waits. It runs on a
-    domain of its own. Where rclpy itself spoiled the end (see `shutdown_overtaken` and `without_executors_end`), the
-    program is run once more.
+    The program is ended after `seconds` at the latest, so it can't hang the notebook. With `silence`, it's ended once
+    it has printed nothing for that many seconds after its first output; startup doesn't count. With `interrupt_at`, it
+    gets Ctrl-C (SIGINT) once it has printed that text and is waiting. It runs on its own domain. If rclpy itself
+    disturbed the end (see `shutdown_overtaken` and `without_executors_end`), the program runs once more.
     """
     code = program if isinstance(program, str) else program_file(program).read_text(encoding="utf-8")
     ended = _run_once(code, seconds, arguments, interrupt_at, silence)
@@ -187,7 +201,7 @@ def _run_once(
                 if interrupt_at is not None and interrupt_at in printed:
                     with closing(
                         Quiescence(process.pid)
-                    ) as quiescence:  # nobody presses Ctrl-C within microseconds
+                    ) as quiescence:  # a person never presses Ctrl-C that fast
                         quiescence.wait()
                     process.interrupt()
                     interrupt_at = None

@@ -1,4 +1,4 @@
-"""What a student has done so far, in a small file of their work folder: cells, predictions, tries, points."""
+"""Save a student's progress in a small file in the work folder: cells, predictions, tries, and points."""
 
 import fcntl
 import json
@@ -12,16 +12,16 @@ from typing import Any
 from workbook.exercise.answer_files import answers_folder
 
 TRIES_BEFORE_SOLUTION = 5
-"""Judged tries: enough to have used the three hints and to have thought after each."""
+"""Judged tries before the solution opens: enough to use the three hints and to think after each."""
 
 
 @dataclass
 class LessonProgress:
-    """One lesson and its exercise. `cells`: ids of the lesson's code cells that were run. `predictions`: by experiment.
+    """Progress in a lesson and its exercise. `cells`: IDs of code cells that were run. `predictions`: by experiment.
 
-    `read`: the cells that were run one by one, as `activity` tells it. `touched`: when something was last noted
-    (seconds since 1970). `outcomes_seen`: predictions that can no longer be changed. The rest is the exercise: judged
-    tries, hints shown, whether it ever got full marks, and the most points.
+    `read`: the cells that were run one by one, according to `activity`. `touched`: when something was last noted (s
+    since 1970). `outcomes_seen`: predictions that can no longer be changed. The other fields describe the exercise:
+    judged tries, hints shown, whether it ever got full marks, and the most points.
     """
 
     tries: int = 0
@@ -47,29 +47,29 @@ _KNOWN = {
 
 
 def progress_file(folder: Path | None = None) -> Path:
-    """The file that holds the progress, in the folder of answers."""
+    """Return the path of the progress file, in the folder of answers."""
     return (folder or answers_folder()) / ".progress.json"
 
 
 def all_progress(folder: Path | None = None) -> dict[str, LessonProgress]:
-    """Everything that is kept in a folder of answers, by stem. What is damaged counts as nothing done."""
+    """Load all progress saved in a folder of answers, by stem. Damaged entries count as empty."""
     return {stem: _read(entry) for stem, entry in _stored(folder).items()}
 
 
 def load_progress(stem: str) -> LessonProgress:
-    """What is kept of one lesson and its exercise; nothing done yet if nothing is."""
+    """Load the saved progress for a lesson and its exercise. If nothing was saved, the progress is empty."""
     return _read(_stored().get(stem))
 
 
 def save_progress(stem: str, progress: LessonProgress) -> None:
-    """Replace what is kept of one lesson."""
+    """Replace a lesson's saved progress."""
     with _locked():
         _write(stem, progress)
 
 
 @contextmanager
 def changed_progress(stem: str) -> Iterator[LessonProgress]:
-    """Change what is kept of a lesson; two notebooks may do so at once."""
+    """Lock and change a lesson's saved progress. Several notebooks may do so at the same time."""
     with _locked():
         progress = load_progress(stem)
         before = asdict(progress)
@@ -97,7 +97,7 @@ def _stored(folder: Path | None = None) -> dict[str, Any]:
 
 
 def _read(entry: object) -> LessonProgress:
-    """Keep what a version before or after this one wrote, as far as it is known here."""
+    """Convert a saved entry, which another version may have written. Unknown or invalid fields are ignored."""
     if not isinstance(entry, dict):
         return LessonProgress()
     known = {

@@ -1,4 +1,4 @@
-"""Trials for the lesson on QoS: all pairs of profiles, newcomers that greet, and two domains."""
+"""Run trials for the lesson on QoS: all pairs of profiles, newcomers that greet, and two domains."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -28,13 +28,14 @@ from workbook.ros.session import spin_for
 Pair = tuple[str, str]
 POLL_S = 0.02
 NEWCOMER_S = 30.0
-"""Longer than a newcomer needs to start and to give up, on however busy a machine."""
+"""Longer than a newcomer takes to start and to give up, even on a busy machine."""
 
 
 def try_pairs(profiles: Mapping[str, QoSProfile], new: int = 5) -> dict[Pair, list[str]]:
-    """What a subscription hears, for every pair of an offered and a requested profile.
+    """Return the messages that a subscription receives, for every pair of an offered and a requested profile.
 
-    Each publisher sends one "old" message before its subscription exists, and some "new" ones after.
+    Each publisher sends one "old" message before its subscription exists, and as many "new" ones afterward as `new`
+    says.
     """
     speaker, listener = fresh(Node, "speaker"), fresh(Node, "listener")
     publishers = []
@@ -68,7 +69,7 @@ def _listen(listener: Node, topic: str, qos: QoSProfile, got: list[str]) -> None
 
 
 def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
-    """A table of what was heard: a row for each offer, a column for each request."""
+    """Draw a table of the received messages, with a row for each offer and a column for each request."""
     names = list(dict.fromkeys(offered for offered, _ in heard))
     fig, axes = figure(6.4, 3.8)
     for (offered, requested), messages in heard.items():
@@ -83,7 +84,7 @@ def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
         ylim=(count - 0.5, -0.5),
         xlabel="requested by the subscription",
         ylabel="offered by the publisher",
-        title="heard: every offer at least as good as the request",
+        title="received: every offer at least as good as the request",
     )
     axes.set_xticks(range(count), names, fontsize=8)
     axes.set_yticks(range(count), names, fontsize=8)
@@ -92,22 +93,22 @@ def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
 
 
 def greet(programs: int, listener: str, **parameters: object) -> list[float]:
-    """Run newcomers (lesson_nodes.first_words), one after another; how long (ms) each took to find the listener."""
+    """Run newcomers (lesson_nodes.first_words) one after another. Return the times (ms) to discover the listener."""
     newcomer = _newcomer(listener, parameters)
     return [_greeted(newcomer, int(os.environ["ROS_DOMAIN_ID"])) for _ in range(programs)]
 
 
 def greet_by_default(programs: int) -> list[float]:
-    """Newcomers and a listener with the discovery times of Fast DDS, on a domain of their own: times (ms)."""
+    """Run newcomers and a listener with Fast DDS's defaults, on their own domain. Return the discovery times (ms)."""
     newcomer = _newcomer("/robot/status")
-    with lease_domain() as aside:  # a domain without this notebook, which would answer quickly
+    with lease_domain() as aside:  # this notebook isn't on it, because it would answer quickly
         domain_id = aside.domain_id
         with NodeProcess(
             _lesson_node("status_monitor"), domain_id, write_profile=profile_with_default_times
         ) as monitor:
-            while not monitor.log.text():  # it says that it has started
+            while not monitor.log.text():  # the monitor prints a line when it has started
                 if monitor.wait(POLL_S):
-                    raise RuntimeError("the listener ended at once")
+                    raise RuntimeError("the listener ended right away")
             return [_greeted(newcomer, domain_id, profile_with_default_times) for _ in range(programs)]
 
 
@@ -121,7 +122,7 @@ def _lesson_node(name: str, **options: Any) -> ProgramSpec:
 
 
 def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Path] | None = None) -> float:
-    """Run one newcomer to its end; the time (ms) that it prints. Raises RuntimeError when it does not get that far."""
+    """Run one newcomer to its end, and return the time (ms) that it prints. Raise RuntimeError if it fails."""
     with NodeProcess(newcomer, domain_id, write_profile=profile) as process:
         process.wait(NEWCOMER_S)
         ended = process.record()
@@ -131,11 +132,11 @@ def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Pa
 
 
 def found_picture(here_ms: list[float], plain_ms: list[float], description: str) -> Still:
-    """How long newcomers took to find their listener, as two histograms over one axis."""
+    """Draw how long newcomers took to find their listener, as two histograms over one axis."""
     fig, (upper, lower) = figure(6.4, 3.6, rows=2)
     steps = [
         10 ** (power / 4) for power in range(15)
-    ]  # 1 ms to 3 s, each 1.8 times as long as the one before
+    ]  # 1 ms to 3 s, each step 1.8 times as long as the previous one
     for axes, title, times in (
         (upper, f"in this workbook: {_slowest(here_ms)}", here_ms),
         (lower, f"with the default settings of Fast DDS: {_slowest(plain_ms)}", plain_ms),
@@ -154,7 +155,7 @@ def _slowest(times: list[float]) -> str:
 
 
 def heard_between(speaks_on: Any, listens_on: Any, qos: QoSProfile) -> list[str]:
-    """What a node on one leased domain hears of a node on another, within two seconds."""
+    """Return the messages that a node on one leased domain receives from a node on another within two seconds."""
     left, right = Context(), Context()
     rclpy.init(context=left, domain_id=speaks_on.domain_id)
     rclpy.init(context=right, domain_id=listens_on.domain_id)

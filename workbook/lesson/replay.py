@@ -1,4 +1,4 @@
-"""What a report shows: the judgement of its recording, the messages on a time axis, and what the doctor found."""
+"""Show a report: its recording's judgment, the messages on a time axis, and the doctor's findings."""
 
 from dataclasses import dataclass
 
@@ -14,12 +14,12 @@ from workbook.recording.recording import Recording
 from workbook.templating import as_markup, render
 
 DRAWING_BUDGET_S = 20.0
-"""Processor time for the timeline. A recording that somebody has sent may be made to take forever."""
+"""Limit on the CPU time for the timeline, because drawing a malicious recording could take forever."""
 
 
 @dataclass(frozen=True)
 class ReportReplay:
-    """A report, judged here. `judgement` and the timeline are missing where the report has no recording."""
+    """A report, judged on this machine. `judgement` and the timeline are missing if the report has no recording."""
 
     report: HelpReport
     judgement: Judgement | None
@@ -27,7 +27,7 @@ class ReportReplay:
     timeline_text: str
 
     def notes(self) -> list[str]:
-        """What one must know before one reads on, as sentences."""
+        """Return sentences about the report itself: the versions that made it, and whether its recording is current."""
         made = self.report.made_by
         said = [f"Made by workbook {made.workbook}, rclpy {made.rclpy}, Python {made.python}."]
         if self.judgement is None:
@@ -37,7 +37,7 @@ class ReportReplay:
         return [without_commands(one).replace("\n", " ") for one in said]
 
     def happened(self) -> list[str]:
-        """The recording in lines: the topics with their messages, then how the program ended."""
+        """Summarize the recording as lines: the topics with their messages, then how the program ended."""
         if self.judgement is None or self.judgement.recording is None:
             return []
         recording = self.judgement.recording
@@ -59,20 +59,20 @@ def _about_topic(recording: Recording, name: str) -> str:
 
 
 def replay(report: HelpReport, exercise: Exercise) -> ReportReplay:
-    """Judge the recording by the criteria of this course; no code of the report runs."""
+    """Judge the report's recording by this course's criteria. No code from the report runs."""
     recording = report.recording
     if recording is None:
         return ReportReplay(report, None, None, "")
     judgement = judge_recording(exercise, "", recording)
     try:
         picture, words = within_budget(lambda: judged_timeline(exercise, recording), DRAWING_BUDGET_S)
-    except Exception:  # a made-up recording may hold any numbers
+    except Exception:  # a forged recording may contain any numbers
         return ReportReplay(report, judgement, None, "The timeline of this recording cannot be drawn.")
     return ReportReplay(report, judgement, picture, words)
 
 
 def replay_page(shown: ReportReplay, exercise: Exercise) -> str:
-    """The replay as one HTML file, which loads nothing and runs nothing."""
+    """Render the replay as a single HTML file without scripts or external resources."""
     card = ""
     if shown.judgement is not None:
         extras = Extras(timeline=shown.timeline, timeline_text=shown.timeline_text, is_graded=True)

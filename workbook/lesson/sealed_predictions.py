@@ -1,6 +1,6 @@
-"""What predictions reveal after the run, kept in `sealed/` so that nobody reads it by chance before.
+"""Store the predictions' outcomes and explanations in `sealed/`, so that no reader sees them by accident.
 
-One file per lesson, written by `make notebooks` from the text of the lesson. It is encoded, not encrypted.
+`make notebooks` writes one file per lesson from the lesson's text. The files are encoded, not encrypted.
 """
 
 import base64
@@ -14,19 +14,19 @@ from pathlib import Path
 from workbook.lesson.prediction import Option, Prediction
 
 FOLDER = "WORKBOOK_SEALED"
-"""Environment variable: another folder of sealed files, for a course that is not the one installed."""
+"""Environment variable that names another folder of sealed files, for a course that isn't the installed one."""
 SUFFIX = ".txt"
 _FIRST_LINE = "Written by `make notebooks`. It tells what the predictions of this lesson come to."
 
 
 def seal(predictions: Sequence[Prediction]) -> str:
-    """The predictions of a lesson as the text of its sealed file, always the same for the same predictions."""
+    """Encode a lesson's predictions as the text of its sealed file. The same predictions always give the same text."""
     data = json.dumps([asdict(one) for one in predictions], sort_keys=True)
     return "\n".join([_FIRST_LINE, *textwrap.wrap(base64.b64encode(data.encode()).decode(), 100), ""])
 
 
 def unseal(text: str) -> tuple[Prediction, ...]:
-    """The predictions in a sealed file. Raises ValueError when it holds something else."""
+    """Decode a sealed file's text into predictions. Raise ValueError if it contains anything else."""
     try:
         data = json.loads(base64.b64decode("".join(text.split("\n")[1:]), validate=True))
         return tuple(
@@ -38,12 +38,12 @@ def unseal(text: str) -> tuple[Prediction, ...]:
 
 
 def sealed_folder() -> Path:
-    """Where the sealed files of this course are."""
+    """Return the folder with this course's sealed files."""
     return Path(os.environ.get(FOLDER) or Path(__file__).with_name("sealed"))
 
 
 def all_predictions() -> dict[str, Prediction]:
-    """Every prediction of the course, by name. A damaged file counts as empty."""
+    """Load all predictions of the course, by name. A damaged file counts as empty."""
     found: dict[str, Prediction] = {}
     for path in sorted(sealed_folder().glob(f"[0-9]*{SUFFIX}")):
         try:

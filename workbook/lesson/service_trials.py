@@ -1,4 +1,4 @@
-"""Trials for the lesson on services: one node with a heart and a question, asked in many ways, and what came of it."""
+"""Run trials for the lesson on services: a node with a heartbeat sends a request in various ways."""
 
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -13,16 +13,16 @@ HEART, ASKED, ANSWERED = "/robot/heartbeat", "/robot/asked", "/robot/answered"
 PERIODS = {HEART: 0.1, ASKED: 0.5, ANSWERED: 0.5}
 SECONDS = 2.2
 AT_ONCE = 3
-"""So many programs run at a time."""
+"""How many programs run at the same time."""
 GOES_ON_TO = 1.2
-"""A heart whose last beat is older than this (s) at the end has stopped."""
+"""If the last beat is older than this (s) at the end, the heart has stopped."""
 
 Case = tuple[str, str, int]
-"""How the node asks, the callback group of its client, and the threads of its executor."""
+"""How the node sends its request, its client's callback group, and its executor's number of threads."""
 
 
 def try_out(program: Program, case: Case, **parameters: object) -> Recording:
-    """Two seconds in the life of a node that asks in this way, as a process of its own."""
+    """Record two seconds of a node, in its own process, that sends its request in the given way."""
     way, group, threads = case
     return record(
         program,
@@ -37,20 +37,20 @@ def try_out(program: Program, case: Case, **parameters: object) -> Recording:
 
 
 def try_all(program: Program, cases: Sequence[Case], **parameters: object) -> list[Recording]:
-    """Run some cases, three at a time."""
+    """Run and record all cases, three at a time."""
     with ThreadPoolExecutor(AT_ONCE) as pool:
         return list(pool.map(lambda case: try_out(program, case, **parameters), cases))
 
 
 def answers(recording: Recording) -> str:
-    """Whether the questions were answered: "come" or "never"."""
+    """Return whether the requests got responses: "come" or "never"."""
     return "come" if len(arrivals(recording, ANSWERED)) >= 2 else "never"
 
 
 def heart(recording: Recording) -> str:
-    """Whether the heart goes on, also while a question waits: "beats", "limps" or "stops"."""
+    """Return whether the heartbeat continues while a request waits: "beats", "limps" or "stops"."""
     beats, had = arrivals(recording, HEART), arrivals(recording, ANSWERED)
-    if max(beats, default=0.0) < recording.simulated_s - GOES_ON_TO:
+    if max(beats, default=0.0) < recording.watched_s - GOES_ON_TO:
         return "stops"
     waits = [(t, min([a for a in had if a > t], default=t + 0.4)) for t in arrivals(recording, ASKED)]
     due = sum(end - begin for begin, end in waits) / PERIODS[HEART]
@@ -59,7 +59,7 @@ def heart(recording: Recording) -> str:
 
 
 def hearts_picture(recordings: dict[str, Recording], title: str, description: str) -> Still:
-    """The heartbeats of several recordings, a line each, with what became of heart and answers."""
+    """Draw each recording's heartbeats as a row, labeled with the results for heartbeat and responses."""
     rows = []
     for label, recording in recordings.items():
         goes, come = heart(recording), answers(recording)
@@ -69,7 +69,7 @@ def hearts_picture(recordings: dict[str, Recording], title: str, description: st
 
 
 def questions_picture(recording: Recording, title: str, description: str) -> Still:
-    """Heartbeats, questions and answers of one recording."""
+    """Draw one recording's heartbeats, requests, and responses."""
     asked, had = arrivals(recording, ASKED), arrivals(recording, ANSWERED)
     goes = heart(recording)
     rows = [

@@ -1,4 +1,4 @@
-"""Waiting until a program that was just started is on the graph and at work, or has ended with an error."""
+"""Wait until a newly started program is on the graph and spinning, or has ended with an error."""
 
 import time
 from collections import Counter
@@ -14,20 +14,22 @@ from workbook.ros.kernel_node import kernel_node
 from workbook.watching.quiescence import Quiescence
 
 NODES_WITHIN_S = 10.0
-"""A program whose node has not appeared by then is taken for one without a node. It may come up later all the same."""
+"""How long (s) to wait for a node. After that, we assume that the program has none, even if one appears later."""
 SERVES_WITHIN_S = 30.0
-"""On a machine so busy that a program takes this long, its first error is shown late rather than not at all."""
+"""The longest wait (s) for a busy program. On a busy machine, its first error is shown late rather than not at all."""
 IDLE_S = 3.0
-"""For programs whose nodes never reply: they have no parameter services, or a callback keeps them busy."""
+"""The longest wait (s) for an idle program. Its nodes may have no parameter services, or a callback blocks them."""
+GONE_WITHIN_S = 1.0
+"""How long (s) to wait until an ended program's nodes leave the graph. A killed program's nodes stay much longer."""
 POLL_S = 0.02
 
 
 def wait_until_it_serves(process: NodeProcess, node: str) -> None:
-    """Return once the node (fully qualified name) has replied to a service request, which only a spinning node does.
+    """Wait until the node (fully qualified name) has replied to a service request, which only a spinning node does.
 
-    A node is on the graph as soon as its base class is made. What comes after that in the program may still fail, so
-    seeing its name is not enough. Returns early when the program ends, and when it has been idle for three seconds
-    without a reply. A program that is busy, or waits for a processor, is given half a minute.
+    A node is on the graph as soon as its base class is initialized. Later lines of the program may still fail, so
+    seeing its name isn't enough. Returns early if the program ends, or if it has been idle for three seconds without a
+    reply. A program that is busy, or waits for a processor, gets half a minute.
     """
     context = kernel_node().context
     client_node = Node(
@@ -63,25 +65,40 @@ def wait_until_it_serves(process: NodeProcess, node: str) -> None:
 
 
 def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
-    """Names of nodes that appeared on the graph since `known`, as soon as there is one.
+    """Wait until nodes that aren't in `known` appear on the graph, and return their names.
 
-    A duplicate of a known name counts as well. Returns an empty list when the program ends or ten seconds have passed.
-    Nodes that this notebook has just made with `fresh` may come onto the graph meanwhile; they are left out.
+    A duplicate of a known name counts, too. The list is empty if the program ends or ten seconds have passed first.
+    Nodes that this notebook creates with `fresh` in the meantime are left out.
     """
     own = own_names()
     deadline = time.monotonic() + NODES_WITHIN_S
     while time.monotonic() < deadline:
         now = node_names()
         new = sorted(now - (known | own))
-        known = known & now  # one that has gone since is no longer known: its name may come again
+        known = known & now  # a node that has left is no longer known, because its name may appear again
         if new or not process.is_running():
             return new
         time.sleep(POLL_S)
     return []
 
 
+def wait_until_gone(nodes: Counter[str]) -> None:
+    """Wait until each of an ended program's nodes has left the graph. `nodes`: how many of each name there were.
+
+    A program announces over DDS that it leaves, but the announcement may arrive after the process has ended.
+    """
+
+    def are_there() -> bool:
+        now = node_names()
+        return any(now[name] >= number for name, number in nodes.items())
+
+    deadline = time.monotonic() + GONE_WITHIN_S
+    while are_there() and time.monotonic() < deadline:
+        time.sleep(POLL_S)
+
+
 def waiting_for_clock(nodes: list[str]) -> list[str]:
-    """Those of some nodes that wait for `/clock` while nothing publishes it: their timers never fire."""
+    """Return the nodes that wait for `/clock` while nothing publishes it, so that their timers never fire."""
     node = kernel_node()
     if node.count_publishers("/clock"):
         return []
@@ -91,11 +108,11 @@ def waiting_for_clock(nodes: list[str]) -> list[str]:
 
 
 def own_names() -> Counter[str]:
-    """Fully qualified names of the nodes that this notebook made with `fresh`."""
+    """Return the fully qualified names of the nodes that this notebook made with `fresh`."""
     return Counter(node.get_fully_qualified_name() for node in nodes_in(get_default_context()))
 
 
 def node_names() -> Counter[str]:
-    """Fully qualified names of all nodes on this notebook's domain, hidden ones left out."""
+    """Return the fully qualified names of all nodes on this notebook's domain, except hidden ones."""
     found = kernel_node().get_node_names_and_namespaces()
     return Counter(f"{namespace.rstrip('/')}/{name}" for name, namespace in found if not name.startswith("_"))

@@ -1,4 +1,4 @@
-"""Pictures with the boxes of a detector, for films and figures of lessons."""
+"""Draw a detector's boxes into images, for films and figures of lessons."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -12,17 +12,17 @@ from workbook.pictures.png import Pixels
 from workbook.pictures.stills import Still
 
 HEIGHT = 270
-"""Pixels of the page. A picture is brought to this height before boxes are drawn into it."""
+"""Height on the page, in pixels. Images are scaled to it before boxes are drawn."""
 WHITE, INK = (255, 255, 255), (20, 20, 20)
 MARGIN = 3
 Frame = tuple[float, float, float, float]
-"""Left, top, right and bottom, in pixels."""
+"""Left, top, right, and bottom, in pixels."""
 
 
 def boxed(picture: Pixels, detections: Sequence[Detection], scores: bool = False) -> bytes:
-    """A picture, RGB, with a box and a label for each detection, and its score if asked for, as PNG bytes.
+    """Draw a box and a label for each detection into an RGB image, and its score if asked for. Return PNG bytes.
 
-    A label stands above its box, or below it where it would cover another label.
+    A label stands above its box, or below it if it would cover another label.
     """
     factor = HEIGHT / picture.shape[0]
     drawn = Image.fromarray(picture).resize((round(factor * picture.shape[1]), HEIGHT))
@@ -49,7 +49,7 @@ def boxed(picture: Pixels, detections: Sequence[Detection], scores: bool = False
 
 
 def in_a_row(pictures: Mapping[str, bytes], description: str) -> Still:
-    """PNG pictures next to each other, each below its title."""
+    """Show PNG images next to each other, each below its title."""
     fig, panels = figure(7.6, 3.1, columns=len(pictures))
     for axes, (title, png) in zip(panels, pictures.items(), strict=True):
         axes.imshow(Image.open(io.BytesIO(png)))

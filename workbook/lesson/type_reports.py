@@ -1,6 +1,8 @@
-"""mypy from a notebook: what it says of a program, line by line, without running it."""
+"""Run mypy from a notebook, and show its findings on a program line by line."""
 
-from collections.abc import Mapping, Set
+import threading
+from collections.abc import Iterator, Mapping, Set
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -8,6 +10,7 @@ from types import ModuleType
 from workbook.criteria.vocabulary.phrasing import count
 from workbook.exercise.answer_files import answer_file
 from workbook.exercise.source import STEM
+from workbook.lesson.predictions import unattended
 from workbook.pictures.figures import figure, still
 from workbook.pictures.palette import AMBER, GREEN, GREY, RED
 from workbook.pictures.stills import Still
@@ -15,22 +18,24 @@ from workbook.recording.recording import Finding
 from workbook.typechecking.typecheck import BARE, NOTE, SETTINGS, TYPINGS, MypyOptions, type_check
 
 _STRICT = ("--strict",)
+SILENT_AT_MOST_S = 1.5
+"""If mypy takes longer than this, a line says that it's running."""
 
 
 @dataclass(frozen=True)
 class TypeReport:
-    """What mypy found, as a cell shows it."""
+    """mypy's findings on a program, formatted for a cell."""
 
     program: str
     findings: tuple[Finding, ...]
 
     @property
     def lines(self) -> tuple[int, ...]:
-        """The lines in which mypy finds something wrong, each once."""
+        """The numbers of the lines with errors, each once."""
         return tuple(sorted({finding.line for finding in self.findings if finding.code != NOTE}))
 
     def __len__(self) -> int:
-        """How many lines that are."""
+        """Return the number of lines with errors."""
         return len(self.lines)
 
     def __repr__(self) -> str:
@@ -49,18 +54,36 @@ class TypeReport:
 def check_types(
     program: str | Path | ModuleType, *, stubs: bool = True, strict: bool = True, notes: bool = False
 ) -> TypeReport:
-    """Let mypy read a program: its text, its file, a module, or your answer to an exercise by the name of that.
+    """Check a program with mypy: its text, its file, a module, or your answer to the exercise of that name.
 
-    `stubs`: with the stubs of the course for message packages (`workbook/typings`); without, plain mypy on what ROS
-    installs. `strict`: every function has to be annotated; with stubs, Any may not be written either. `notes`: show
-    what `reveal_type` says, too.
+    `stubs`: use the course's stubs for message packages (`workbook/typings`) instead of only the installed ROS
+    packages. `strict`: every function must be annotated; with stubs, explicit Any isn't allowed either. `notes`: also
+    show the output of `reveal_type`.
     """
     text = _text_of(program)
     if stubs:
         settings = (f"--config-file={SETTINGS}",) if strict else BARE
     else:
         settings = ("--config-file=", *(_STRICT if strict else ()))
-    return TypeReport(text, type_check(text, options=MypyOptions(settings, stubs, notes)))
+    with _waiting_line():
+        return TypeReport(text, type_check(text, options=MypyOptions(settings, stubs, notes)))
+
+
+@contextmanager
+def _waiting_line() -> Iterator[None]:
+    """Print a line if mypy takes long, because its first run reads rclpy. Builds don't print the line."""
+    if unattended():
+        yield
+        return
+    timer = threading.Timer(
+        SILENT_AT_MOST_S, print, ["mypy is running. Its first run reads rclpy, too: up to 20 s."]
+    )
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 def _text_of(program: str | Path | ModuleType) -> str:
@@ -74,7 +97,7 @@ def _text_of(program: str | Path | ModuleType) -> str:
 
 
 def stub_of(message_class: type) -> str:
-    """What the stubs of the course say of a message, such as `Float32`."""
+    """Return the declaration of a message class, such as `Float32`, in the course's stubs."""
     package, kind = message_class.__module__.split(".")[:2]
     stub = (TYPINGS / package / kind / "__init__.pyi").read_text(encoding="utf-8")
     name = message_class.__name__
@@ -84,7 +107,7 @@ def stub_of(message_class: type) -> str:
 def nets_picture(
     nets: Mapping[str, Set[int]], names: Mapping[int, str], description: str, *, title: str
 ) -> Still:
-    """Which net catches which mistake. A net with "run time" in its name catches when the line is reached."""
+    """Draw which check catches which mistake. Checks with "run time" in their name only see lines that run."""
     fig, axes = figure(7.6, 1.0 + 0.37 * len(names))
     for column, (net, caught) in enumerate(nets.items()):
         late = "run time" in net

@@ -1,4 +1,4 @@
-"""Live views of the robot on this notebook's domain: the figure that moves, and the status dashboard."""
+"""Show live views of the robot on this notebook's domain: the moving figure and the status dashboard."""
 
 import math
 import os
@@ -9,6 +9,7 @@ from typing import Any
 from rclpy.node import Node
 from std_msgs.msg import Float32, Float32MultiArray, String
 
+from workbook.lesson.robot_in_cell import PosedRobot, RobotInCell, draws_robots
 from workbook.pictures import dashboard, humanoid
 from workbook.pictures.live import LiveFigure
 from workbook.pictures.moving_robot import MovingRobot
@@ -17,12 +18,12 @@ from workbook.ros.kernel_node import kernel_node
 from workbook.ros.session import Condition, Stopped, run
 
 MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
-"""Environment variable: draw no more, whatever a cell asks for."""
+"""Environment variable: the highest number of frames per second, whatever a cell asks for."""
 ROBOT_TEXT = "a humanoid robot with twelve joints, posed by the last message on /robot/joint_positions"
 
 
 class _View(Node):
-    """A node that listens while a view is open. It lives in the context of the kernel's hidden node."""
+    """A node with subscriptions while a view is open. It uses the context of the kernel's hidden node."""
 
     def __init__(self, name: str) -> None:
         super().__init__(
@@ -35,7 +36,7 @@ class _View(Node):
 
 
 class RobotView(_View):
-    """Poses the figure by what arrives on /robot/joint_positions; its lamp follows /robot/status."""
+    """Poses the figure by the messages on /robot/joint_positions. Its lamp follows /robot/status."""
 
     def __init__(self, ease: float) -> None:
         super().__init__("robot_view")
@@ -50,7 +51,7 @@ class RobotView(_View):
         self.robot.status(message.data)
 
     def frame(self) -> bytes | None:
-        """The picture as it is now; None while it is the one before."""
+        """Return the current frame as PNG bytes; None if it hasn't changed."""
         return self.robot.frame()
 
 
@@ -79,7 +80,7 @@ class StatusView(_View):
         self.arrivals[dashboard.BATTERY_TOPIC].append(self._now())
 
     def frame(self) -> bytes:
-        """The dashboard as it is now, as PNG bytes."""
+        """Draw the dashboard's current frame, and return PNG bytes."""
         return dashboard.draw(self.status, self.battery, self.arrivals, now=self._now(), window=self.window)
 
 
@@ -89,13 +90,23 @@ async def watched(
     seconds: float | None = None,
     fps: float = 20.0,
     until: Condition = None,
+    *,
+    ends_program: bool = False,
 ) -> None:
-    """Let a view run, with `refresh` for each picture, until its time is over or Stop; then take it off the graph."""
+    """Run a view, calling `refresh` for each frame, until its time is over or Stop; then remove it from the graph.
+
+    After Stop, print which programs still run, unless the caller ends them (`ends_program`).
+    """
     fps = min(fps, float(os.environ.get(MOST_PICTURES, "inf")))
     try:
         await run(view, seconds=seconds, each_frame=refresh, fps=fps, until=until)
     except Stopped:
-        pass
+        # This import starts a process, which a view alone doesn't need.
+        from workbook.lesson.programs import still_running
+
+        if not ends_program and (names := still_running()):
+            verb, it = ("runs", "it") if len(names) == 1 else ("run", "them")
+            print(f"You stopped watching, but {' and '.join(names)} still {verb}: stop() ends {it}.")
     finally:
         view.destroy_node()
 
@@ -113,19 +124,31 @@ async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> 
 
 
 async def watch_robot(seconds: float | None = 10.0, fps: float = 20.0, ease: float = 0.8) -> None:
-    """Show the robot that the messages on /robot/joint_positions pose, live, for `seconds` (None: until Stop).
+    """Show the robot live, in the pose from the messages on /robot/joint_positions.
 
-    `fps`: pictures per second. `ease`: seconds in which the figure glides to a new pose; 0 jumps.
+    `seconds`: how long (None: until Stop). `fps`: frames per second. `ease`: the time (s) in which the figure glides to
+    a new pose; with 0, it jumps. Raise ValueError if `seconds` isn't above zero and finite.
     """
     if seconds is not None and (not math.isfinite(seconds) or seconds <= 0):
         raise ValueError(f"seconds must be above zero, not {seconds}")
-    await _show(RobotView(ease), ROBOT_TEXT, seconds, fps)
+    view = RobotView(ease)
+    if not draws_robots():
+        await _show(view, ROBOT_TEXT, seconds, fps)
+        return
+    if RobotInCell.moves_here():
+        await watched(view, lambda: None, seconds, fps)
+        return
+    robot = PosedRobot(ROBOT_TEXT, ease)
+    try:
+        await watched(view, lambda: robot.show(view.robot.news()), seconds, fps)
+    finally:
+        robot.leave(view.frame())
 
 
 async def watch_status(seconds: float | None = 10.0, fps: float = 15.0, window: float = 10.0) -> StatusView:
-    """Show the dashboard of /robot/status and /robot/battery, live, for `seconds` (None: until Stop).
+    """Show the dashboard of /robot/status and /robot/battery live for `seconds` (None: until Stop).
 
-    Returns the view, which holds the last `status`, `battery` and the `arrivals` (s since it was opened).
+    Return the view with the last `status` and `battery` and with `arrivals` (s since the view was opened).
     """
     view = StatusView(window)
     await _show(view, dashboard.DESCRIPTION, seconds, fps)
@@ -133,5 +156,5 @@ async def watch_status(seconds: float | None = 10.0, fps: float = 15.0, window: 
 
 
 def robot(*angles: float, lamp: str | None = None, caption: str = "") -> Still:
-    """A still of the robot at twelve angles (rad)."""
+    """Draw a still of the robot at twelve angles (rad)."""
     return Still(humanoid.draw(angles, lamp=lamp, caption=caption), f"a humanoid robot. {caption}".strip())  # type: ignore[arg-type]

@@ -1,0 +1,99 @@
+"""Show the robot in a cell. JupyterLab draws and moves it.
+
+Readers without our front end see a still instead. workbook/lab/front_end/panel/cell.js is the front end's part.
+"""
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any, ClassVar
+
+from IPython.core.getipython import get_ipython
+from IPython.display import DisplayHandle, display
+
+from workbook.lesson.front_end import request, told
+
+ROBOT = "application/vnd.rclpy-workbook.robot+json"
+GLIDES = 4
+"""After this many of rig.js's time constants, a fiftieth of a movement is left."""
+
+
+@cache
+def _still() -> Any:
+    from workbook.pictures import humanoid  # slow to load, and not needed by each kernel
+    from workbook.pictures.joints import NEUTRAL
+    from workbook.pictures.stills import Still
+
+    return Still(humanoid.draw(NEUTRAL), "a humanoid robot with twelve joints")
+
+
+def _bundle(kernel: str | None) -> dict[str, object]:
+    still, _ = _still()._repr_mimebundle_()
+    return {**still, ROBOT: {"kernel": kernel}}
+
+
+def kernel_id() -> str | None:
+    """Return this kernel's ID in JupyterLab; None outside of a kernel."""
+    kernel = getattr(get_ipython(), "kernel", None)
+    parent = getattr(kernel, "parent", None)
+    file = getattr(parent, "connection_file", "")
+    return Path(file).stem.removeprefix("kernel-") or None
+
+
+def draws_robots() -> bool:
+    """Return whether the front end that runs this cell draws the robot itself."""
+    return told().get("robot") is True
+
+
+class RobotInCell:
+    """A robot below the running cell that follows the messages of this notebook's programs until `rest` is called."""
+
+    _newest: ClassVar[object] = None
+
+    def __init__(self) -> None:
+        kernel = kernel_id()
+        RobotInCell._newest = request().get("header")
+        self._display: DisplayHandle | None = None
+        if kernel is not None:
+            self._display = display(_bundle(kernel), raw=True, display_id=True)
+
+    @classmethod
+    def moves_here(cls) -> bool:
+        """Return whether such a robot already moves below the running cell."""
+        return draws_robots() and cls._newest == request().get("header")
+
+    def rest(self) -> None:
+        """Let the robot fall asleep, because its program has ended."""
+        if self._display is not None:
+            self._display.update(_bundle(None), raw=True)
+
+
+class PosedRobot:
+    """A robot below the running cell that glides to each pose from the kernel within `ease` seconds."""
+
+    def __init__(self, description: str, ease: float) -> None:
+        self._text = description
+        self._glide = 1000 * ease / GLIDES
+        self._display: DisplayHandle | None = None
+        self._news: dict[str, object] = {}
+
+    def show(self, news: dict[str, object]) -> None:
+        """Send the new state, unless nothing has changed."""
+        if news == self._news:
+            return
+        self._news = news
+        self._put({"text/plain": self._text})
+
+    def leave(self, picture: bytes | None) -> None:
+        """Keep the last pose on the page, with a still for other front ends. Without a `picture`, do nothing."""
+        if picture is not None:
+            from workbook.pictures.stills import Still
+
+            self._put(Still(picture, self._text)._repr_mimebundle_()[0])
+
+    def _put(self, shown: Mapping[str, object]) -> None:
+        robot = {"kernel": None, "news": {"text": self._text, **self._news}, "glide": self._glide}
+        if self._display is None:
+            self._display = display({**shown, ROBOT: robot}, raw=True, display_id=True)
+        else:
+            self._display.update({**shown, ROBOT: robot}, raw=True)
