@@ -1,7 +1,10 @@
-"""How fast and how steady judging is: `make bench` (ARGS='--quick' for a short run, ARGS='--only check' for a part).
+"""How fast and how steady judging is, and what a frame of the panel costs: `make bench`.
 
-One part runs only when it is asked for, because it takes some ten minutes: ARGS='--only fairness' grades right answers
-500 times on more slots than there are processors, while every processor is kept busy by something else.
+ARGS='--quick' makes a short run, and ARGS='--only check' runs one part.
+
+Two parts run only when they are asked for, because they take some ten minutes: ARGS='--only fairness' grades right
+answers 500 times on more slots than there are processors, while every processor is kept busy by something else.
+ARGS='--only class' has 40 students at a hub (4 with --quick; as root, with EXTRAS=hub).
 
 Prints a table and writes artifacts/bench.json. Times are medians with their range; what they mean depends on what else
 the machine is doing, so each part says how busy it was when the part began.
@@ -81,10 +84,11 @@ class Size:
     repeats: int
     answers: int
     gradings: int
+    students: int
 
 
-FULL = Size(runs=9, wall_runs=3, repeats=200, answers=120, gradings=500)
-QUICK = Size(runs=5, wall_runs=1, repeats=24, answers=40, gradings=32)
+FULL = Size(runs=9, wall_runs=3, repeats=200, answers=120, gradings=500, students=40)
+QUICK = Size(runs=5, wall_runs=1, repeats=24, answers=40, gradings=32, students=4)
 
 
 def of_times(name: str, times: Sequence[float], aim_s: float | None = None, unit: str = "s") -> Figure:
@@ -204,7 +208,7 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
         wrong = cards(slot, wrong_answer(WRONG_RATE), size.runs)
         threads = [cards(slot, right_answer(name), size.runs) for name in NEVER_AT_REST]
     times = [seconds for seconds, recording in right if recording.clock == "simulated"]
-    speeds = [one.simulated_s / seconds for seconds, one in right if one.clock == "simulated"]
+    speeds = [one.watched_s / seconds for seconds, one in right if one.clock == "simulated"]
     if not times:
         raise SystemExit("bench: this machine is too busy for robot time; every run went to the wall clock")
     yield of_times("%check on a warm slot, until the card shows", times, 0.7)
@@ -318,13 +322,13 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
     jobs = [Job(name, STEM, answers[name]) for name in names]
     slots = 8 * CORES
     isolation = best_isolation()
-    full = doubts = ours = on_the_wall = 0
+    full = inconclusive = ours = on_the_wall = 0
     busy, had = machine_busy()
     began = time.monotonic()
     with every_processor_busy():
         for number, (job, judgement) in enumerate(judge_all(jobs, slots, isolation=isolation), start=1):
             full += judgement.full_marks
-            doubts += bool(judgement.inconclusive_reason)
+            inconclusive += bool(judgement.inconclusive_reason)
             ours += judgement.status != "graded"
             recording = judgement.recording
             on_the_wall += recording is not None and recording.clock == "wall"
@@ -341,7 +345,7 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
         f"{len(files)} answers, {isolation}, processors {share:.0%} busy",
         "all",
         full == len(jobs),
-        {"full_marks": full, "gradings": len(jobs), "doubts": doubts, "infra_errors": ours},
+        {"full_marks": full, "gradings": len(jobs), "inconclusive": inconclusive, "infra_errors": ours},
     )
     yield Figure(
         "  answers per minute",
@@ -349,7 +353,7 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
         f"{seconds:.0f} s",
         values={"per_minute": round(60 * len(jobs) / seconds, 1), "seconds": round(seconds, 1)},
     )
-    yield Figure("  inconclusive at the first try", f"{doubts} of {len(jobs)}")
+    yield Figure("  inconclusive at the first try", f"{inconclusive} of {len(jobs)}")
     yield Figure("  that needed the wall clock", f"{on_the_wall} of {len(jobs)}")
 
 
@@ -462,6 +466,65 @@ def lab_starts(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
     yield of_times("  the first cell of lesson 00, until its first output", answers, 2.0)
 
 
+def frames(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """Script time of a frame in the panel, where the robot moves and where it rests."""
+    from playwright.sync_api import sync_playwright
+
+    from tests.browser.stage_frames import MOST_SCRIPT_MS, VIEW, script_ms
+    from workbook.lab.health import chromium
+
+    path = chromium()
+    if path is None:
+        yield Figure("script per frame", "not here", "needs a Chromium")
+        return
+    with tempfile.TemporaryDirectory() as home, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=path,
+            args=["--no-sandbox", "--disable-dev-shm-usage"],
+            env={"PATH": os.environ["PATH"], "HOME": home},
+        )
+        page = browser.new_page(viewport=VIEW, reduced_motion="no-preference")
+        for name, spent in script_ms(page).items():
+            mean = statistics.fmean(spent)
+            yield Figure(
+                f"script per frame: {name}",
+                f"{mean:.2f} ms",
+                f"longest {max(spent):.1f} ms, {len(spent)} frames",
+                f"< {MOST_SCRIPT_MS:g} ms",
+                mean < MOST_SCRIPT_MS,
+                {"mean": mean, "all": spent},
+            )
+        browser.close()
+
+
+def class_server(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """A class at a hub: memory of a student, and how long the card takes when ten students check per minute."""
+    try:
+        from tests.hub.measured_class import measure
+    except ImportError:
+        yield Figure("a class on one server", "not here", "make env EXTRAS=hub")
+        return
+    if os.geteuid() != 0 or sandbox_problem() is not None:
+        yield Figure("a class on one server", "not here", "needs root and bubblewrap")
+        return
+    seen = measure(size.students, STEM, answer.text)
+    yield of_times(f"{size.students} students: a server starts in", seen.starts)
+    for name, megabytes in (
+        ("logged in", seen.idle),
+        ("reading", seen.reading),
+        ("at most, checking", seen.checking),
+    ):
+        yield Figure(
+            f"  memory of a student, {name}", f"{megabytes:.0f} MB", values={"megabytes": round(megabytes)}
+        )
+    yield of_times("  %check, ten per minute, until the card shows", seen.checks)
+    slow = statistics.quantiles(seen.checks, n=20)[-1]
+    yield Figure("  95 of 100 cards show within", f"{slow:.1f} s", "", "< 5 s", slow < 5.0, {"seconds": slow})
+    yield Figure(
+        "  right answers without full marks", f"{seen.refused} of {size.students}", "", "0", not seen.refused
+    )
+
+
 PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "check": check,
     "warm": warm,
@@ -469,10 +532,12 @@ PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "isolation": sandboxing,
     "throughput": throughput,
     "lab": lab_starts,
+    "frames": frames,
     "tests": last_test_run,
     "fairness": fairness,
+    "class": class_server,
 }
-ONLY_WHEN_ASKED = ("fairness",)
+ONLY_WHEN_ASKED = ("fairness", "class")
 
 
 def line(figure: Figure) -> str:

@@ -1,8 +1,9 @@
 """How the tests are spread over workers, and what tests of several folders need.
 
 A file stays together, long ones begin first, lessons go side by side. There are more workers than processors, because
-most tests wait most of the time. The proofs of the exercises come first, with nothing beside them: they keep all
-processors busy by themselves, and what is judged on the wall clock is judged once where nothing disturbs it.
+most tests wait most of the time. The proofs of the exercises come first, with nothing beside them: what is judged on
+the wall clock is judged once where nothing disturbs it. In the whole run, those on robot time keep all processors busy
+by themselves; the few of `make test` go side by side with the other tests.
 """
 
 import gc
@@ -39,6 +40,7 @@ LONG_FIRST = (
     "test_templates",
     "test_nodes_with_timers",
     "test_killed_grader",
+    "test_fresh_machine",
     "test_watch",
     "test_nodes_of_12",
     "test_talking",
@@ -49,7 +51,7 @@ ON_THE_WALL_CLOCK = {
 }
 """Exercises whose proofs go before those of the others."""
 OVER = "proofs_over"
-"""The worker that has run the proofs leaves this file for the others."""
+"""The worker that has run the proofs that come alone leaves this file for the others."""
 LOOK_EVERY_S = 0.5
 LONGEST_PROOFS_S = 45 * 60.0
 """Then the other tests begin, in case the worker with the proofs has died at its last test."""
@@ -163,7 +165,7 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     try:
         return (yield)
     finally:
-        if is_proof(item) and (nextitem is None or not is_proof(nextitem)):
+        if comes_alone(item) and (nextitem is None or not comes_alone(nextitem)):
             Path(told).touch()
 
 
@@ -172,9 +174,15 @@ def is_proof(item: pytest.Item) -> bool:
     return item.path.stem == PROOFS
 
 
+def comes_alone(item: pytest.Item) -> bool:
+    """Whether all other tests wait for this one: for every proof in the whole run, for those in real time otherwise."""
+    is_whole = item.config.getoption("markexpr") != "not whole"
+    return is_proof(item) and (is_whole or is_on_the_wall_clock(item.nodeid))
+
+
 def _await_proofs(over: Path, items: Sequence[pytest.Item]) -> None:
     deadline = time.monotonic() + LONGEST_PROOFS_S
-    if any(map(is_proof, items)):
+    if any(map(comes_alone, items)):
         while not over.exists() and time.monotonic() < deadline:
             time.sleep(LOOK_EVERY_S)
 

@@ -16,7 +16,7 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -24,25 +24,23 @@ ROOT = Path(__file__).resolve().parents[1]
 ARTIFACTS = ROOT / "artifacts"
 ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 # mypy sees each of them alone: files of the same name in two of them are no clash.
-TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria", "exercises/drivers")
+TYPED_FOLDERS = (
+    *("workbook", "deploy", "lesson_nodes", "solutions"),
+    *("exercises/criteria", "exercises/drivers", "exercises/partners"),
+)
 # Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
 JOBS = str(min(8, 3 * len(os.sched_getaffinity(0))))
 TESTS_LIMIT_S = 76 * 60.0
 SUMMARY_LIMIT_S = 120.0
-MOST_ALONE = 3
-"""So many failed tests are run again, alone: a fault of the code fails again, a busy machine does not."""
-NOT_STEADY = "not_steady.txt"
 PROCESSORS = "processors.tsv"
 LOOK_EVERY_S = 5.0
-NEVER_FORGIVEN = "full marks for a wrong answer"
-"""In the words of a failure: whatever comes of a second run, this must not happen even once."""
 
 
 @dataclass(frozen=True)
 class Step:
     """One command of the proof.
 
-    `quiet`: what it says matters only when it fails. `alone`: the command that runs again what has failed.
+    `quiet`: what it says matters only when it fails.
     """
 
     name: str
@@ -50,7 +48,6 @@ class Step:
     command: tuple[str, ...]
     report: Path | None = None
     quiet: bool = False
-    alone: tuple[str, ...] = ()
 
 
 def steps(jobs: str = JOBS, *, whole: bool = False) -> list[Step]:
@@ -75,8 +72,7 @@ def steps(jobs: str = JOBS, *, whole: bool = False) -> list[Step]:
     in_browser = "not outside_browser" if chromium() is not None else ""
     which = ("-m", in_browser if whole else "not whole")
     tests = (python, "-m", "pytest", *which, f"--junitxml={tested}")
-    alone = (*tests, "--last-failed", "--last-failed-no-failures=none", "-n", "0")
-    found.append(Step("pytest", "pytest", (*tests, *spread), tested, alone=alone))
+    found.append(Step("pytest", "pytest", (*tests, *spread), tested))
     return found
 
 
@@ -153,53 +149,12 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
         failed = [line for lines in pool.map(run_group, groups) for line in lines]
     for step in plan:
         if step.report is not None:
-            for old in (step.report, first_report(step.report), ARTIFACTS / NOT_STEADY):
-                old.unlink(missing_ok=True)
+            step.report.unlink(missing_ok=True)
             say(f"── {step.name}")
             with BusyProcessors(ARTIFACTS / PROCESSORS) as processors:
-                lines = _run_tests(step, environ, TESTS_LIMIT_S)
+                failed += _run_tests(step, environ, TESTS_LIMIT_S)
             say(f"   The processors were busy for {processors.share:.0%} of the time ({PROCESSORS}).")
-            only_failures = lines == [f"{step.name} (exit 1)"]  # not: interrupted, or broken off
-            failed += _run_alone(step, environ, say) if only_failures and _may_run_alone(step) else lines
     return failed
-
-
-def failures(report: Path) -> dict[str, str]:
-    """Failed tests of a JUnit report, and the message of each: not its traceback, which quotes lines of the test."""
-    found: dict[str, str] = {}
-    if report.is_file():
-        for case in ElementTree.parse(report).iter("testcase"):
-            for told in (*case.findall("failure"), *case.findall("error")):
-                name = f"{case.get('classname')}::{case.get('name')}"
-                found[name] = found.get(name, "") + f"{told.get('message')}\n"
-    return found
-
-
-def first_report(report: Path) -> Path:
-    """Where the report of the whole run is kept when some tests run again."""
-    return report.with_stem(f"{report.stem}_side_by_side")
-
-
-def _may_run_alone(step: Step) -> bool:
-    """Whether so few tests failed that the machine may have been at fault, none of them in an unforgivable way."""
-    assert step.report is not None
-    told = failures(step.report)
-    return (
-        bool(step.alone)
-        and 0 < len(told) <= MOST_ALONE
-        and not any(NEVER_FORGIVEN in one for one in told.values())
-    )
-
-
-def _run_alone(step: Step, environ: dict[str, str], say: Callable[[str], None]) -> list[str]:
-    """Run the failed tests once more with nothing beside them; the report of the first run is kept."""
-    assert step.report is not None
-    unsteady = [*failures(step.report)]
-    step.report.replace(first_report(step.report))
-    (ARTIFACTS / NOT_STEADY).write_text("".join(f"{name}\n" for name in unsteady), encoding="utf-8")
-    say("── once more, alone. What fails again is at fault; what passes now is not steady, and wants repair:")
-    say("\n".join(f"   {name}" for name in unsteady))
-    return _run_tests(replace(step, command=step.alone), environ, TESTS_LIMIT_S)
 
 
 class BusyProcessors:
@@ -307,7 +262,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if os.environ.get("CI", "").lower() in ("1", "true"):
         patterns = allowed_patterns(ALLOWED_SKIPS.read_text(encoding="utf-8"))
         reports = [step.report for step in plan if step.report is not None]
-        skips = [skip for one in reports for report in (first_report(one), one) for skip in skipped(report)]
+        skips = [skip for report in reports for skip in skipped(report)]
         failed += [
             f"skipped, and not in .ci/allowed_skips: {name} ({why})"
             for name, why in unlisted(skips, patterns)

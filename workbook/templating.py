@@ -1,7 +1,7 @@
-"""HTML from templates, `PACKAGE/templates/NAME.html.j2`, with Jinja2, which escapes all text that comes into them.
+"""Render HTML from templates, `PACKAGE/templates/NAME.html.j2`, with Jinja2, which escapes all inserted text.
 
-Imports nothing of `workbook` but how text is made plain, so that every layer may use it. Jinja2 itself is imported when
-the first template is rendered: a grader or a check in a terminal shows no HTML, and does not wait for it.
+From `workbook`, this module imports only `without_commands`, so that every layer may use it. Jinja2 itself is imported
+when the first template is rendered, because grading or a check in a terminal shows no HTML.
 """
 
 from functools import cache
@@ -34,18 +34,18 @@ def _environment() -> "Environment":
 
 
 def _plain(value: object) -> object:
-    """What comes into a template, without what a reader cannot see. Markup was rendered already."""
+    """Remove invisible characters from a template's value. Markup is already clean."""
     return without_commands(value) if type(value) is str else value
 
 
 def render(template: str, **values: Any) -> str:
-    """The HTML of a template, such as "feedback/card"."""
+    """Render a template, such as "feedback/card", as HTML."""
     package, name = template.split("/")
     return _environment().get_template(f"{package}/templates/{name}.html.j2").render(**values)
 
 
 def as_markup(text: str) -> "Markup":
-    """HTML that was rendered already, for another template: it is not escaped again."""
+    """Mark rendered HTML as markup, so that another template doesn't escape it again."""
     from markupsafe import Markup
 
     return Markup(text)

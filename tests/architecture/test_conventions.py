@@ -13,11 +13,6 @@ WORKBOOK = ROOT / "workbook"
 MODULES = sorted(path for path in WORKBOOK.rglob("*.py") if "typings" not in path.parts)
 PACKAGES = sorted(path for path in MODULES if path.name == "__init__.py" and path.parent != WORKBOOK)
 
-LONGEST_MODULE = 400
-"""Lines. A longer one has more than one job."""
-LONGEST_FUNCTION = 45
-"""Lines, with signature and docstring: what one sees at once."""
-
 Definition = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
 
 
@@ -58,23 +53,6 @@ def test_public_names_have_a_docstring_that_begins_with_a_sentence() -> None:
         if not begins_with_a_sentence(node)
     ]
     assert not lacking, "\n".join(lacking)
-
-
-def test_no_module_is_too_long() -> None:
-    sizes = {name_of(path): len(path.read_text(encoding="utf-8").splitlines()) for path in MODULES}
-    too_long = {name for name, lines in sizes.items() if lines > LONGEST_MODULE}
-    assert too_long == set()
-
-
-def test_no_function_is_too_long() -> None:
-    too_long = {
-        f"{name_of(path)}:{node.name}"
-        for path in MODULES
-        for node in ast.walk(tree_of(path))
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
-        and (node.end_lineno or node.lineno) - node.lineno >= LONGEST_FUNCTION
-    }
-    assert too_long == set()
 
 
 def test_no_two_classes_share_a_name() -> None:

@@ -175,7 +175,7 @@ except KeyboardInterrupt:
 
 
 def test_ros_2_refuses_a_second_node(context: Context, node: Node) -> None:
-    """ROS 2 refuses a second node with the same name"""
+    """ROS 2 rejects a second node with the same name"""
     second = Node("robot", context=context, start_parameter_services=False)
     assert [node.get_fully_qualified_name(), second.get_fully_qualified_name()] == ["/robot", "/robot"]
     wait_until(lambda: node.get_node_names().count("robot") == 2)

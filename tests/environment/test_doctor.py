@@ -14,7 +14,7 @@ from workbook.lab.health import HealthFinding
 def test_two_processes_talk() -> None:
     finding = health.check_two_processes()
     assert finding.status == "ok", finding
-    assert "was heard after" in finding.saw
+    assert "was discovered after" in finding.saw
 
 
 def test_a_silent_second_process_is_told_with_what_it_said(
@@ -62,6 +62,16 @@ def test_leftovers_of_a_sourced_ros_are_named() -> None:
     assert health.check_leftovers(found).status == "note"
     assert "RMW_IMPLEMENTATION" in health.check_leftovers(found).saw
     assert health.check_leftovers([]).status == "ok"
+
+
+def test_another_source_of_ros_is_named_with_what_differs_there(tmp_path: Path) -> None:
+    apt = health.check_route(Path("/opt/ros/jazzy/lib/python3.12/site-packages/rclpy"), "Linux")
+    assert apt.status == "note" and "/opt/ros/jazzy" in apt.saw
+    assert "wrong type" in apt.todo and "%check" not in apt.todo
+    (tmp_path / "conda-meta").mkdir()
+    conda = health.check_route(tmp_path / "lib" / "python3.12" / "site-packages" / "rclpy", "Darwin")
+    assert "RoboStack" in conda.saw
+    assert "On Darwin" in conda.todo and "%check and grading don't" in conda.todo
 
 
 def test_a_home_that_cannot_be_written(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -63,6 +63,28 @@ def test_it_leads_to_the_cell_to_go_on_at(desk: Desk) -> None:
     assert f'data-cell="{cells[2]["id"]}"' in button[0]
 
 
+def test_what_is_missing_for_read_is_linked_and_no_share_is_shown(desk: Desk) -> None:
+    cells = [one["id"] for one in lesson_cells() if one["cell_type"] == "code"]
+    unread = cells[5:8]
+    keep(desk, STEM, LessonProgress(read=[one for one in cells if one not in unread], touched=1.0))
+    text = page(desk)
+    row = text.split(f'id="wb-{STEM}"')[1].split("</li>")[0]
+    assert f"{len(cells) - 3} of {len(cells)} cells" in row
+    assert "For “read”, 1 more:" in " ".join(row.split())
+    assert f'data-cell="{unread[0]}"' in row
+    assert not re.search(r"\d %", row)
+    keep(desk, STEM, LessonProgress(read=cells[:9], touched=1.0))
+    row = page(desk).split(f'id="wb-{STEM}"')[1].split("</li>")[0]
+    assert "For “read”" not in row and f'data-cell="{cells[9]}"' in row
+
+
+def test_each_lesson_promises_something_in_a_line(desk: Desk) -> None:
+    promises = re.findall(r'<p class="wb-promise">(.*?)</p>', page(desk))
+    assert len(promises) == len(list((ROOT / "notebooks").glob("[0-9]*.ipynb")))
+    assert all(promises), "a lesson's `You will be able to` was not found"
+    assert "Make a node repeat its work at a fixed rate" in promises
+
+
 def lesson_cells() -> list[dict[str, str]]:
     cells: list[dict[str, str]] = json.loads((ROOT / "notebooks" / f"{STEM}.ipynb").read_text())["cells"]
     return cells

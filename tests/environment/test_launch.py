@@ -189,7 +189,5 @@ def test_an_environment_that_cannot_be_written_is_said_before_anything_is_copied
     file.touch()
     monkeypatch.setattr(sys, "prefix", str(file))
     assert main(["lab", "--only-copy"]) == 1
-    assert "Install rclpy-workbook into an environment of your own" in " ".join(
-        capsys.readouterr().err.split()
-    )
+    assert "Install rclpy-workbook into a separate environment" in " ".join(capsys.readouterr().err.split())
     assert not list(from_wheel.iterdir())

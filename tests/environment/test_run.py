@@ -110,7 +110,7 @@ def test_workers_can_be_chosen(proof: ModuleType) -> None:
 def test_the_core_leaves_out_what_belongs_to_the_whole_run(proof: ModuleType) -> None:
     tests, all_tests = (proof.steps(whole=whole)[-1] for whole in (False, True))
     marks = tests.command.index("-m", 3) + 1
-    assert tests.command[marks] == tests.alone[marks] == "not whole"
+    assert tests.command[marks] == "not whole"
     assert "not whole" not in all_tests.command
 
 
@@ -148,57 +148,13 @@ def test_tests_that_never_end_are_interrupted_and_fail(proof: ModuleType) -> Non
     assert proof._run_tests(endless, dict(os.environ), 0.5) == ["pytest (did not end within 0.5 s)"]
 
 
-SECOND_RUN = """
-import pathlib, sys
-tries = pathlib.Path({tries!r})
-tries.write_text((tries.read_text() if tries.exists() else "") + "x")
-wrong = "<failure message='{message}'>{traceback}</failure>"
-case = "<testcase classname='tests.test_robot' name='test_{{}}'>{{}}</testcase>"
-cases = "".join(case.format(n, wrong) for n in range({failed}))
-pathlib.Path({report!r}).write_text(f"<testsuites><testsuite>{{cases}}</testsuite></testsuites>")
-sys.exit(2 if {bad_runs} < 0 else len(tries.read_text()) <= {bad_runs})
-"""
-
-
-@pytest.mark.parametrize(
-    ("failed", "bad_runs", "message", "runs", "holds"),
-    [
-        pytest.param(1, 0, "", 1, True, id="all holds"),
-        pytest.param(2, 1, "a silence of 3 s", 2, True, id="not steady"),
-        pytest.param(2, 2, "a silence of 3 s", 2, False, id="at fault"),
-        pytest.param(4, 1, "a silence of 3 s", 1, False, id="too many"),
-        pytest.param(0, 1, "", 1, False, id="no test failed"),
-        pytest.param(2, -1, "", 1, False, id="broken off"),
-        pytest.param(1, 1, "full marks for a wrong answer: late", 1, False, id="never forgiven"),
-    ],
-)
-def test_a_few_failed_tests_run_once_more_alone(
-    proof: ModuleType,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    failed: int,
-    bad_runs: int,
-    message: str,
-    runs: int,
-    holds: bool,
+def test_a_failed_test_is_not_run_again(
+    proof: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A test that isn't steady is repaired."""
     monkeypatch.setattr(proof, "ARTIFACTS", tmp_path)
-    tries, report = tmp_path / "tries", tmp_path / "pytest.xml"
-    # As pytest writes it: the source line of an assertion that has not failed stands there, too.
-    traceback = f"assert not judged.full_marks, {proof.NEVER_FORGIVEN}"
-    program = SECOND_RUN.format(
-        tries=str(tries),
-        report=str(report),
-        message=message,
-        traceback=traceback,
-        failed=failed,
-        bad_runs=bad_runs,
-    )
-    command = (sys.executable, "-c", program)
-    said: list[str] = []
-    assert (
-        proof.run([proof.Step("pytest", "pytest", command, report, alone=command)], said.append) == []
-    ) == holds
-    assert len(tries.read_text()) == runs
-    named = {line.strip() for text in said for line in text.splitlines() if "test_robot::" in line}
-    assert named == ({f"tests.test_robot::test_{n}" for n in range(failed)} if runs == 2 else set())
+    runs = tmp_path / "runs"
+    program = f"open({str(runs)!r}, 'a').write('x'); raise SystemExit(1)"
+    step = proof.Step("pytest", "pytest", (sys.executable, "-c", program), tmp_path / "pytest.xml")
+    assert proof.run([step], lambda _: None) == ["pytest (exit 1)"]
+    assert runs.read_text() == "x"

@@ -153,6 +153,7 @@ def test_the_tasks_for_an_exercise_do_what_they_say(copy: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_the_task_that_watches_judges_and_waits_for_the_next_save(copy: Path) -> None:
     watching = subprocess.Popen(
         [Path(sys.executable).with_name("workbook"), *arguments_of("check this exercise at each save")],

@@ -14,7 +14,12 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from jupyter_client.kernelspec import KernelSpec
+from jupyter_client.manager import AsyncKernelManager
+from nbclient import NotebookClient
+from nbformat import NotebookNode
 
+from workbook.authoring.colab import lessons_for_colab
 from workbook.authoring.comparing import GLUE, NBVAL
 from workbook.authoring.tree import Tree
 from workbook.authoring.wheel import LOCKED, SEARCH_PATH, build_wheel, ros_pins
@@ -22,6 +27,7 @@ from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.exercise.course import IN_A_WHEEL
 from workbook.grading.students_edition import students_edition
 from workbook.lab import bootstrap
+from workbook.lab.kernel import RESTART
 from workbook.lab.packages import differing, locked_versions
 from workbook.lab.work_folder import without_outputs
 
@@ -70,6 +76,10 @@ def test_lessons_and_exercises_are_there_and_nothing_of_an_authors_or_instructor
         for path in (f"exercises/{stem}.ipynb", f"exercises/criteria/{stem}.py", f"solutions/{stem}.py"):
             assert f"workbook/course/{path}" in names
     assert "workbook/course/lesson_nodes/two_arms.py" in names
+    for catalog in (ROOT / "exercises" / "criteria").glob("*.toml"):
+        assert f"workbook/course/exercises/criteria/{catalog.name}" in names
+    for catalog in (ROOT / "workbook" / "criteria").rglob("*.toml"):
+        assert catalog.relative_to(ROOT).as_posix() in names
     strange = (
         "authoring",
         "right_answers",
@@ -225,6 +235,28 @@ class TestInAnEmptyEnvironment:
         assert "10 of 10 points" in installed.do(installed.script(), "check", STEM, str(right))
         assert "10 of 10 points" not in installed.fails(installed.script(), "check", STEM, str(wrong))
 
+    def test_a_lesson_runs_in_a_plain_kernel(self, installed: Installed, wheel: Path, tmp_path: Path) -> None:
+        """As in Colab: nothing of ours is configured, and the first cell installs the course into its own kernel."""
+        folder = tmp_path / "colab"
+        lessons_for_colab(Tree(ROOT), folder, str(wheel))
+        notebook = nbformat.read(folder / f"{LESSON}.ipynb", 4)
+        config = installed.prefix / "etc" / "ipython" / "ipython_kernel_config.py"
+        config.rename(tmp_path / config.name)
+        try:
+            plain = {name: value for name, value in installed.environ.items() if name != "IPYTHONDIR"}
+            before = {**plain, "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1"}  # Python ran before ROS was there
+            first = nbformat.v4.new_notebook(cells=notebook.cells[:1])
+            run_in_kernel(first, installed.python, folder, before)
+            assert RESTART in text_of(first)
+            run_in_kernel(notebook, installed.python, folder, plain)
+        finally:
+            (tmp_path / config.name).rename(config)
+        assert "%start" not in text_of(notebook) and "/robot/camera" in text_of(notebook)
+        kinds = {
+            kind for cell in notebook.cells for out in cell.get("outputs", []) for kind in out.get("data", {})
+        }
+        assert kinds & {"image/png", "image/svg+xml", "text/html"}, "no picture without our front end"
+
     def test_a_batch_is_graded(self, installed: Installed, tmp_path: Path) -> None:
         answers = tmp_path / "answers"
         answers.mkdir()
@@ -238,6 +270,23 @@ class TestInAnEmptyEnvironment:
             scores = {row["student"]: float(row["score"]) for row in csv.DictReader(file)}
         assert scores["right"] == 10
         assert scores["wrong"] < 10
+
+
+def run_in_kernel(notebook: NotebookNode, python: Path, folder: Path, environ: dict[str, str]) -> None:
+    """Run all cells in a new kernel of this Python, with no kernel specification of ours. An error fails the test."""
+    manager = AsyncKernelManager()
+    manager.kernel_spec_manager.ensure_native_kernel = False
+    manager._kernel_spec = KernelSpec(
+        argv=[str(python), "-m", "ipykernel_launcher", "-f", "{connection_file}"]
+    )
+    client = NotebookClient(notebook, km=manager, timeout=120, resources={"metadata": {"path": str(folder)}})
+    client.execute(env=environ, cleanup_kc=True)
+
+
+def text_of(notebook: NotebookNode) -> str:
+    """What the cells printed, and the text of what they showed."""
+    outputs = [out for cell in notebook.cells for out in cell.get("outputs", [])]
+    return "".join(out.get("text", "") or out.get("data", {}).get("text/plain", "") for out in outputs)
 
 
 def hand_ins(folder: Path) -> tuple[Path, Path]:

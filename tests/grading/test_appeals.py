@@ -183,7 +183,7 @@ def test_another_answer_is_judged_as_ever_and_it_is_said(
         ("ada,joint_positions,twelve_values,all,why,me", "'all' is not a number of points"),
         ("ada,joint_positions,twelve_values,1,,me", "the column `reason` is empty"),
         ("ada,joint_positions,twelve_values,1,why,", "the column `who` is empty"),
-        ("ada,joint_positions,twelve_values,1", "this one has 4 columns"),
+        ("ada,joint_positions,twelve_values,1", "this line has 4 columns"),
         ("bob,09_joint_positions,twelve_values,0,again,me", "an earlier line changes the same criterion"),
     ],
 )

@@ -559,7 +559,7 @@ def test_grade_ends_with_exit_code_1_when_something_was_our_fault(
     judges.ours_to_blame = {answer.stem}
     assert main(["grade", str(answer), "--out", str(tmp_path / "out")]) == 1
     said = capsys.readouterr()
-    assert "1 not judged because of an error in the grader" in said.out
+    assert "1 not judged because of an error in the judge" in said.out
     assert "the slot is gone" in said.out
     judges.ours_to_blame.clear()
     assert main(["grade", str(answer), "--out", str(tmp_path / "out")]) == 0
@@ -568,7 +568,9 @@ def test_grade_ends_with_exit_code_1_when_something_was_our_fault(
 def test_types_are_learned_once_before_slots_start_that_cannot_write(monkeypatch: pytest.MonkeyPatch) -> None:
     done: list[str] = []
 
-    def judged(slot: object, job: Job[str], *_: object, **__: object) -> tuple[None, Judgement]:
+    def judged(
+        pool: object, slot: object, kind: object, job: Job[str], **_: object
+    ) -> tuple[None, Judgement]:
         done.append("judged")
         return None, Judgement(job.stem, job.answer.sha256, "infra_error", "nobody judges here", (), None)
 

@@ -152,5 +152,17 @@ def test_a_huge_class_shows_those_with_the_fewest_points(
 
 
 def test_a_class_of_nobody_and_one_without_marks_have_a_page() -> None:
-    assert "0 answers" in class_page([], EXERCISE)
-    assert "1 answer, 0 graded" in class_page([refused("bob")], EXERCISE)
+    for some, answers in (([], "answers</dt><dd>0"), ([refused("bob")], "answer</dt><dd>1")):
+        page = class_page(some, EXERCISE)
+        assert f"<dt>{answers}</dd>" in page and "<dt>graded</dt><dd>0</dd>" in page
+        assert "No answer was graded." in page and "median" not in page
+
+
+def test_what_nobody_has_takes_no_room(few: list[Result], tmp_path: Path) -> None:
+    page = Page(class_page(few, EXERCISE))
+    [histogram] = [attrs for _, attrs in page.tags if attrs.get("class") == "histogram"]
+    assert histogram["aria-label"].endswith(": 1 with 3, 1 with 8, 2 with 9, 1 with 10")
+    counted = [row for row in page.rows if len(row) == 3 and row[0][:1].isdigit()]
+    assert counted and all(row[1:] != ["0", "0"] for row in counted)
+    best = class_page([result(tmp_path, "ada")], EXERCISE)
+    assert "Everybody passed all 8." in best and '<th scope="col">not yet</th>' not in best

@@ -320,7 +320,7 @@ def test_a_course_that_others_cannot_fetch_is_said(tmp_path: Path) -> None:
         origin_of(tmp_path)
     git(tmp_path, "init", "--quiet")
     git(tmp_path, "remote", "add", "origin", str(tmp_path / "elsewhere"))
-    with pytest.raises(CannotPackage, match="nobody else can fetch"):
+    with pytest.raises(CannotPackage, match="no one else can fetch"):
         origin_of(tmp_path)
 
 
@@ -463,6 +463,7 @@ def test_the_commands_of_the_workflow_judge_what_was_pushed(tmp_path: Path, cour
 
 @pytest.mark.sandbox
 @pytest.mark.slow
+@pytest.mark.whole
 def test_a_wrong_answer_makes_the_run_red_and_says_why(tmp_path: Path, course: Path) -> None:
     needs_a_box()
     runner = Runner(tmp_path, course)
@@ -517,7 +518,7 @@ def test_a_fault_of_ours_is_told_as_one(tmp_path: Path, monkeypatch: pytest.Monk
     command += ["--summary", str(page), "--outputs", str(outputs), "--isolation", "limits"]
     assert main(command) == 2
     found = Page(page.read_text())
-    assert "The grader itself failed, and not your program: the disk is full <b>" in found.words
+    assert "The judge itself failed, not your program: the disk is full <b>" in found.words
     assert "No points are lost" in found.words
     lines = dict(line.split("=", 1) for line in outputs.read_text().splitlines())
     assert (

@@ -105,6 +105,7 @@ def finish(process: "subprocess.Popen[str]") -> tuple[int, str]:
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_a_killed_worker_loses_nothing(farm: LittleFarm, tmp_path: Path) -> None:
     folder, out, marks = tmp_path / "class", tmp_path / "out", tmp_path / "marks"
     folder.mkdir()
@@ -155,6 +156,7 @@ def test_a_killed_worker_loses_nothing(farm: LittleFarm, tmp_path: Path) -> None
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_a_poison_answer_takes_no_neighbor_with_it(farm: LittleFarm, tmp_path: Path) -> None:
     folder, out = tmp_path / "class", tmp_path / "out"
     folder.mkdir()
@@ -172,10 +174,11 @@ def test_a_poison_answer_takes_no_neighbor_with_it(farm: LittleFarm, tmp_path: P
     assert {one["status"] for name, one in found.items() if name != "poison"} == {"graded"}
     assert (found["poison"]["status"], found["poison"]["score"]) == ("infra_error", None)
     assert "3 tries, two of them with a worker to itself" in found["poison"]["reason"]
-    assert "1 not judged because of an error in the grader" in said
+    assert "1 not judged because of an error in the judge" in said
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_ctrl_c_ends_in_order_and_a_second_run_goes_on(farm: LittleFarm, tmp_path: Path) -> None:
     folder, out, marks = tmp_path / "class", tmp_path / "out", tmp_path / "marks"
     folder.mkdir()
@@ -204,6 +207,7 @@ def test_ctrl_c_ends_in_order_and_a_second_run_goes_on(farm: LittleFarm, tmp_pat
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_a_scheduler_that_goes_away_is_told_and_nothing_is_lost(own_farm: LittleFarm, tmp_path: Path) -> None:
     folder, out, marks = tmp_path / "class", tmp_path / "out", tmp_path / "marks"
     folder.mkdir()
@@ -223,6 +227,7 @@ def test_a_scheduler_that_goes_away_is_told_and_nothing_is_lost(own_farm: Little
 
 @pytest.mark.sandbox
 @pytest.mark.slow
+@pytest.mark.whole
 def test_the_best_tier_and_own_criteria(farm: LittleFarm, tmp_path: Path) -> None:
     problem = sandbox_problem()
     if problem is not None:
@@ -249,6 +254,7 @@ def test_the_best_tier_and_own_criteria(farm: LittleFarm, tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_workers_that_cannot_judge_as_asked_refuse_with_words(farm: LittleFarm, tmp_path: Path) -> None:
     other, programs, stranger = tmp_path / "other", tmp_path / "programs", tmp_path / "stranger"
     for name in ("exercises/criteria", "exercises/drivers", "solutions"):
@@ -268,7 +274,7 @@ def test_workers_that_cannot_judge_as_asked_refuse_with_words(farm: LittleFarm, 
     assert "no worker at tcp://127.0.0.1:" in said
     assert "it has another version of the course in" in said
     assert "it cannot confine programs: bubblewrap is not installed" in said
-    assert "it ended before it answered the grader's first request. Start it in the course's folder" in said
+    assert "it ended before it answered our first request. Start it in the course's folder" in said
     assert not (tmp_path / "out").exists()
 
     code, said = finish(farm.grade(tmp_path / "s1.py", "--out", tmp_path / "out", "--isolation", "limits"))
@@ -411,8 +417,8 @@ def test_the_version_of_a_course_is_in_each_file_that_judges(
     monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
     before = course_sha256()
     assert before == course_sha256()
-    for name in ("exercises/criteria", "exercises/drivers", "solutions"):
-        file = tmp_path / name / "more.py"
+    for name in ("criteria/more.py", "criteria/more.toml", "drivers/more.py", "../solutions/more.py"):
+        file = tmp_path / "exercises" / name
         file.parent.mkdir(exist_ok=True)
         file.write_text("x = 1\n")
         assert course_sha256() != before

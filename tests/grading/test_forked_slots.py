@@ -168,7 +168,7 @@ def test_where_forked_ones_do_not_isolate_fresh_ones_are_started(monkeypatch: py
 
     def tried(self: SlotServer, groups: Any) -> tuple[ForkedSlot, str]:
         forked.append(self._fork(groups))
-        return forked[0], "a program reads a file of the grader"
+        return forked[0], "a program reads a file of the judge"
 
     monkeypatch.setattr(SlotServer, "_tried", tried)
     server = slot_server("sandbox")
@@ -177,7 +177,7 @@ def test_where_forked_ones_do_not_isolate_fresh_ones_are_started(monkeypatch: py
         assert not is_forked(slot)
         wait_until(lambda: is_gone(forked[0].pid))
         assert judged(slot, right_answer()).full_marks
-    with pytest.raises(NotForked, match="reads a file of the grader"):
+    with pytest.raises(NotForked, match="reads a file of the judge"):
         server.fork(None)
     assert len(forked) == 1, "it is tried once"
     server.close()
@@ -201,6 +201,7 @@ def test_without_its_server_a_slot_is_started_afresh() -> None:
 
 
 @in_sandbox
+@pytest.mark.whole
 def test_an_answer_whose_server_is_killed_is_judged_again(server: SlotServer) -> None:
     """The first slot is gone then, and what the second one forks its programs from is its own."""
     slot = Slot("sandbox", server=server)
@@ -329,6 +330,7 @@ def test_many_answers_get_forked_slots_and_one_does_not(monkeypatch: pytest.Monk
         assert made == [forked]
 
 
+@pytest.mark.whole
 def test_where_answers_meet_each_other_no_server_is_started() -> None:
     assert pool.FORKED == ("sandbox", "limits")
     assert slot_server("uid") is None and slot_server("landlock") is None

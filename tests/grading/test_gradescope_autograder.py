@@ -105,7 +105,13 @@ def test_it_holds_what_gradescope_wants_and_no_other_exercise(package: Path) -> 
     assert f'exercise="{STEM}"' in texts["run_autograder"]
     assert "@EXERCISE@" not in texts["run_autograder"]
     exercises = {name for name in texts if name.startswith(("course/exercises/", "course/solutions/"))}
-    assert exercises == {f"course/exercises/criteria/{STEM}.py", f"course/solutions/{STEM}.py"}
+    criteria = (ROOT / "exercises" / "criteria").glob(f"{STEM}.*")
+    assert exercises == {
+        f"course/solutions/{STEM}.py",
+        *(f"course/exercises/criteria/{path.name}" for path in criteria),
+    }
+    for catalog in (ROOT / "workbook" / "criteria").rglob("*.toml"):
+        assert f"course/{catalog.relative_to(ROOT).as_posix()}" in texts
     assert not [name for name in texts if "__pycache__" in name or "/tests/" in name or "/.venv/" in name]
     assert "course/requirements.lock" in texts
 
@@ -243,6 +249,7 @@ def test_the_best_tier_is_taken_and_told(judged: dict[str, dict[str, Any]]) -> N
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_without_bubblewrap_it_takes_the_best_of_the_rest_and_says_so(scope: Gradescope) -> None:
     tools = scope.root / "tools"
     tools.mkdir()

@@ -154,7 +154,7 @@ def test_a_line_that_nobody_can_read_may_be_the_students(
 def test_a_running_grader_is_not_disturbed(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with ResultsFile(out / RESULTS):
         assert student("erase", "Zoe", out) == 2
-    assert "another grader is writing" in capsys.readouterr().err
+    assert "another `workbook grade` is writing" in capsys.readouterr().err
 
 
 def test_a_folder_that_is_no_gradebook_is_refused_and_left_alone(tmp_path: Path) -> None:

@@ -142,7 +142,7 @@ def test_two_graders_do_not_write_to_one_folder(tmp_path: Path, capsys: pytest.C
     assert main(grade) == 2
     assert main(["grade", "--exercise", STEM, "--regrade", "--out", str(out)]) == 2
     said = [line for line in capsys.readouterr().err.splitlines() if line.startswith("workbook grade:")]
-    assert [f"another grader is writing to {out}" in line and "--out" in line for line in said] == [
+    assert [f"another `workbook grade` is writing to {out}" in line and "--out" in line for line in said] == [
         True,
         True,
     ]

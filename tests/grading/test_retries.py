@@ -124,9 +124,9 @@ def test_no_luck_and_no_disturbance_earns_a_point(tries: tuple[Judgement, ...]) 
     """For any three tries, and for the first two of them."""
     for some in (tries, tries[:2]):
         found = what_counts(some)
-        sound = [one for one in some if one.status == "graded" and not one.is_disturbed]
+        sound = [one for one in some if one.status == "graded" and not one.is_inconclusive]
         if sound:
-            assert found.number is not None and not found.judgement.is_disturbed
+            assert found.number is not None and not found.judgement.is_inconclusive
             assert found.judgement.criteria[0].points == min(one.criteria[0].points for one in sound)
         elif found.number is not None:
             assert len(set(map(judgement_as_provisional, some))) == 1 and len(some) == 3
@@ -356,6 +356,13 @@ def test_a_student_who_checks_gets_a_third_try_and_no_fourth(third: Judgement, c
     assert until_sure(lambda: tries.pop(0), told.append) == counts
     assert tries == [GOOD]
     assert told == 2 * [judgement_as_provisional(DOUBTFUL)]
+
+
+def test_a_check_that_a_newer_one_waits_for_has_no_further_try() -> None:
+    tries, told = [DOUBTFUL, GOOD], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append, stop=lambda: True) == DOUBTFUL
+    assert tries == [GOOD]
+    assert told == []
 
 
 @pytest.mark.parametrize("sure", [GOOD, POOR, LOST])

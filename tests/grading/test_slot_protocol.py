@@ -89,7 +89,7 @@ def test_a_slot_that_keeps_to_no_line_is_broken(
     monkeypatch.setattr(client, "SLOT_MODULE", ("-c", program))
     monkeypatch.setattr(client, "LineReader", partial(LineReader, longest=5_000))
     slot = Slot()
-    with pytest.raises(SlotBroken, match=f"sent what is no message: {problem}"):
+    with pytest.raises(SlotBroken, match=f"sent an invalid message: {problem}"):
         slot.judge(STEM, Answer("x = 1\n"), soak=False)
     slot.kill()
     assert not slot.is_running
@@ -99,7 +99,8 @@ def test_a_slot_that_keeps_to_no_line_is_broken(
 def test_an_order_and_progress_survive_the_journey() -> None:
     order = JudgingOrder(STEM, "x = 'ä\\n'\n", True, 7)
     assert JudgingOrder(**json.loads(line_of(order))) == order
-    progress = Progress(0, 1.5, {"/robot/speed": 3}, {"/robot/speed": {"data": 0.5}})
+    kind = {"/robot/speed": "std_msgs/msg/Float32"}
+    progress = Progress(0, 1.5, {"/robot/speed": 3}, {"/robot/speed": {"data": 0.5}}, kind)
     assert Progress(**json.loads(line_of(progress_message(progress)))["progress"]) == progress
 
 
@@ -107,6 +108,12 @@ def test_progress_with_a_number_that_json_does_not_know_goes_without_values() ->
     progress = Progress(0, 1.5, {"/robot/speed": 3}, {"/robot/speed": {"data": float("nan")}})
     told = json.loads(line_of(progress_message(progress)))["progress"]
     assert (told["messages"], told["latest"]) == ({"/robot/speed": 3}, {})
+
+
+def test_progress_tells_of_the_program_and_not_of_its_driver() -> None:
+    progress = Progress(0, 1.5, {"/driver/report": 9, "/robot/speed": 3})
+    assert progress.counters() == ["3 on /robot/speed"]
+    assert str(progress) == "1.5 s, 3 on /robot/speed"
 
 
 @pytest.mark.slow
@@ -126,6 +133,7 @@ def test_a_slot_tells_how_far_it_is_to_whoever_asks() -> None:
         assert slot.judge(STEM, right, soak=True, progress=note).full_marks
     assert came.is_set()
     last = [one for one in seen if topic in one.messages][-1]
-    assert last.place == 0 and last.simulated_s > 0.0
+    assert last.place == 0 and last.watched_s > 0.0
     assert last.messages[topic] >= 1
     assert len(last.latest[topic]["data"]) > 0
+    assert last.types[topic] == "std_msgs/msg/Float32MultiArray"

@@ -50,6 +50,13 @@ def test_an_exercise_is_all_there_but_its_solution(stem: str, edition: Path) -> 
     assert given.alternatives == "None."
 
 
+def test_every_catalog_of_words_is_there(edition: Path) -> None:
+    for folder in ("exercises/criteria", "workbook/criteria/vocabulary"):
+        catalogs = {path.name: path.read_bytes() for path in (ROOT / folder).glob("*.toml")}
+        assert catalogs
+        assert {path.name: path.read_bytes() for path in (edition / folder).glob("*.toml")} == catalogs
+
+
 def stripped(text: str) -> str:
     return "\n".join(line.strip() for line in text.splitlines() if line.strip())
 
@@ -121,6 +128,8 @@ def test_the_makefile_offers_what_is_there(edition: Path) -> None:
     assert re.findall(r"make (\S+)", done.stdout) == ["help", "env", "lab", "progress", "test", "clean"]
     said = subprocess.run(["make", "-n", "test"], cwd=edition, capture_output=True, text=True, check=True)
     assert "-m pytest --nbval tests notebooks" in said.stdout
+    assert re.search(r"--extras dev$", said.stdout, re.MULTILINE), "the tools of authors and instructors"
+    assert "check that everything works here" in done.stdout
 
 
 def test_a_zip_holds_the_same_and_the_same_course_gives_the_same_bytes(edition: Path, tmp_path: Path) -> None:

@@ -103,5 +103,5 @@ def test_what_a_program_could_do_there_is_the_problem(
     problem = tier_check.tier_problem("landlock")
     assert problem is not None
     assert "it does not isolate here" in problem
-    assert "reads a file of the grader" in problem
+    assert "reads a file of the judge" in problem
     assert not started[0].is_running

@@ -160,7 +160,7 @@ def test_files_with_names_of_modules_are_no_answers(tmp_path: Path) -> None:
     for name in ("rclpy.py", "sitecustomize.py", "usercustomize.py", "conftest.py", "std_msgs/__init__.py"):
         (student / name).write_text("raise SystemExit\n")
     (student / "evil.pth").write_text("import os; os._exit(0)\n")
-    assert "a name that no module of ROS or Python has" in problem_of(tmp_path)
+    assert "a name that no ROS or Python module has" in problem_of(tmp_path)
     (student / "mine.py").write_text("print()\n")
     [found] = find_hand_ins([tmp_path], STEM)
     assert (found.problem, found.path.name) == (None, "mine.py")

@@ -68,7 +68,7 @@ def test_criteria_that_crash_are_our_fault_and_stop_nobody(tmp_path: Path) -> No
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 1, done.stderr
     assert "Traceback" not in done.stdout + done.stderr
-    assert "2 not judged because of an error in the grader" in done.stdout
+    assert "2 not judged because of an error in the judge" in done.stdout
     found = results(out)
     assert {student: (one["status"], one["score"]) for student, one in found.items()} == {
         "first": ("infra_error", None),

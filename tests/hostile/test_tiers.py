@@ -681,10 +681,10 @@ def test_two_leases_have_no_id_in_common() -> None:
 # --- what is said ---------------------------------------------------------------------------------------------------
 
 HARMLESS = {
-    "reads a file of the grader": False,
+    "reads a file of the judge": False,
     "changes its own file": False,
-    "writes beside its own file": False,
-    "signals the grader": False,
+    "writes next to its own file": False,
+    "signals the judge": False,
     "connects to this machine": False,
     "has capabilities": False,
     "can gain capabilities": False,

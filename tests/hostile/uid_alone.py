@@ -27,7 +27,7 @@ def works(attempt):
         return False
     return True
 found = {"signals the neighbor": works(lambda: os.kill(int(pid), 0)),
-         "signals the grader": works(lambda: os.kill(os.getppid(), 0)),
+         "signals the judge": works(lambda: os.kill(os.getppid(), 0)),
          "reads its environment": works(lambda: open(f"/proc/{pid}/environ").read()),
          "sees its files": works(lambda: os.listdir(f"/proc/{pid}/fd"))}
 for place in places:

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -69,7 +70,11 @@ def test_counting_ends_where_it_is_too_much(tmp_path: Path, monkeypatch: pytest.
 def test_without_a_reason_it_is_not_counted_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(written_files, "LOOK_EVERY_S", 1000.0)
     in_use = [0]
-    monkeypatch.setattr(WrittenFiles, "_space_in_use", lambda self: in_use[0])
+
+    def statvfs(_: str) -> SimpleNamespace:
+        return SimpleNamespace(f_blocks=10**12, f_bfree=10**12 - in_use[0], f_frsize=1)
+
+    monkeypatch.setattr(os, "statvfs", statvfs)
     written = WrittenFiles(tmp_path)
     (tmp_path / "file").touch()
     assert written.look().files == 0

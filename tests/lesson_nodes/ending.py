@@ -1,8 +1,19 @@
-"""How a recorded lesson node has ended."""
+"""How a program of the course's own has ended."""
 
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from workbook.criteria.vocabulary.known_errors import shutdown_overtaken, without_executors_end
+from workbook.criteria.vocabulary.tracebacks import TRACEBACK
 from workbook.exercise.inconclusive import crashed_on_interrupt
 from workbook.recording.recording import Recording
+
+
+def ended_in_order(exit_code: int | None, end_log: str) -> bool:
+    """Whether a program ended with exit code 0 and no traceback, apart from rclpy's own shutdown errors.
+
+    For programs that are trusted: see `shutdown_overtaken` and `without_executors_end`.
+    """
+    if exit_code == 1:
+        return shutdown_overtaken(end_log)
+    return exit_code == 0 and TRACEBACK not in without_executors_end(end_log)
 
 
 def ended_well(recording: Recording) -> bool:

@@ -16,8 +16,8 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from lesson_nodes import joint_position_publisher
+from tests.lesson_nodes.ending import ended_in_order
 from workbook.criteria.vocabulary import estimators
-from workbook.criteria.vocabulary.known_errors import ended_in_order
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import TopicRecording

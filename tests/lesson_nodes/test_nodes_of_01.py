@@ -11,8 +11,7 @@ from rclpy.signals import SignalHandlerOptions
 
 from lesson_nodes import ends_of_spin, interrupted_sleep, last_words, night_guard, radio_robot, three_mains
 from lesson_nodes.radio_robot import RadioRobot
-from tests.lesson_nodes.ending import ended_well
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order, ended_well
 from workbook.lesson import arrivals, record, run_program, start, stop
 from workbook.lesson.programs import program_file
 from workbook.ros.domains import lease_domain

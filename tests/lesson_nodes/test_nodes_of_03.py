@@ -6,8 +6,7 @@ import pytest
 
 from lesson_nodes import battery_levels, figure_driver, tiny_camera
 from lesson_nodes.level_desk import LevelDesk
-from tests.lesson_nodes.ending import ended_well
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order, ended_well
 from workbook.lesson import arrivals, record, run_program, start, values
 from workbook.recording.recording import Recording
 

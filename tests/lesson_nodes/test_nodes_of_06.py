@@ -9,8 +9,7 @@ from std_msgs.msg import String
 from lesson_nodes import attentive_robot, pump_watcher
 from lesson_nodes.attentive_robot import AttentiveRobot
 from lesson_nodes.pump_watcher import PumpWatcher
-from tests.lesson_nodes.ending import ended_well
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order, ended_well
 from workbook.lesson import arrivals, record, run_program, spin_for, start, values
 from workbook.ros.session import init, shutdown
 

@@ -6,7 +6,7 @@ import pytest
 import rclpy
 
 from lesson_nodes import battery_class, battery_closure, battery_script
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order
 from workbook.lesson import arrivals, check_types, record, values
 
 BATTERY = "/robot/battery"

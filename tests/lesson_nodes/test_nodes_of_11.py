@@ -10,7 +10,7 @@ from rclpy.node import Node
 from std_msgs.msg import Int32
 
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order
 from workbook.lesson import programs, run, start, stop
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare

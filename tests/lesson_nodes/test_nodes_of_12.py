@@ -120,7 +120,7 @@ def test_who_spins_inside_a_callback_belongs_to_nobody_afterwards() -> None:
     )
     assert len(arrivals(recording, ASKED)) == 1
     assert len(arrivals(recording, ANSWERED)) <= 1, "a busy machine may need longer than it waits"
-    assert 0.0 < max(arrivals(recording, HEART)) < recording.simulated_s - 1.0
+    assert 0.0 < max(arrivals(recording, HEART)) < recording.watched_s - 1.0
 
 
 @pytest.mark.parametrize(

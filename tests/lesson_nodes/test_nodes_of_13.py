@@ -19,7 +19,7 @@ from std_msgs.msg import String
 from lesson_nodes import heartbeat
 from lesson_nodes.first_words import WORDS, FirstWords
 from lesson_nodes.heartbeat import BEAT_QOS, STATUS_QOS, Heartbeat
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order
 from workbook.lesson import arrivals, record, values
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment, prepare

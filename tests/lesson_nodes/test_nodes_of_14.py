@@ -41,6 +41,7 @@ def recorded(**parameters: object) -> dict[float, list[float]]:
     return dict(zip(seconds, values(seen, ENCODERS, "position"), strict=True))  # type: ignore[arg-type]
 
 
+@pytest.mark.whole
 def test_the_same_seed_brings_the_same_noise_and_another_seed_another() -> None:
     one, again, other = recorded(), recorded(), recorded(seed=15)
     common = sorted(one.keys() & again.keys() & other.keys())
@@ -49,6 +50,7 @@ def test_the_same_seed_brings_the_same_noise_and_another_seed_another() -> None:
     assert all(one[stamp] != other[stamp] for stamp in common)
 
 
+@pytest.mark.whole
 def test_the_noise_is_as_large_as_it_is_told() -> None:
     noise = [
         angle - true

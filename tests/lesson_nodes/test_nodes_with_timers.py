@@ -17,6 +17,7 @@ def test_a_minute_has_sixty_blinks_and_thirty_beeps() -> None:
     assert [round(t) for t in arrivals(recording, BEEP)] == list(range(2, 61, 2))
 
 
+@pytest.mark.whole
 def test_a_long_beep_silences_the_blinks() -> None:
     recording = record(
         blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, clock="wall", blink_period_s=0.2, beep_takes_s=1.1

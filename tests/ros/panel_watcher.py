@@ -52,6 +52,13 @@ class Watcher:
                     return last
                 assert self._news.wait(end - time.monotonic()), f"so far: {str(self.told)[-2000:]}"
 
+    def heard(self, kind: str, fits: Callable[[dict[str, Any]], object]) -> None:
+        """Wait until it has told a thing of a kind that fits, however much it has told since."""
+        end = time.monotonic() + LIMIT_S
+        with self._news:
+            while not any(one["kind"] == kind and fits(one) for one in self.told):
+                assert self._news.wait(end - time.monotonic()), f"so far: {str(self.told)[-2000:]}"
+
     def close(self) -> int:
         """End its input; its exit code."""
         assert self.process.stdin is not None and self.process.stdout is not None

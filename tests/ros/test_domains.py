@@ -5,6 +5,7 @@ import socket
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -33,6 +34,15 @@ def _own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def held() -> Iterator[DomainLease]:
     with lease_domain() as lease:
         yield lease
+
+
+@pytest.fixture
+def all_leased(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[DomainLease]]:
+    """Leases of all domains, under names that no other process uses."""
+    monkeypatch.setattr(domains, "SOCKET_PREFIX", f"test-{os.getpid()}/")
+    monkeypatch.setattr(domains, "udp_ports_in_use", set)
+    with ExitStack() as leases:
+        yield [leases.enter_context(lease_domain()) for _ in range(101)]
 
 
 def holder(*arguments: str) -> "subprocess.Popen[str]":
@@ -170,8 +180,7 @@ def test_a_domain_whose_ports_a_stranger_holds_is_skipped(held: DomainLease) -> 
         assert again.domain_id == held.domain_id
 
 
-def test_none_free_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(domains, "_try_lease", lambda domain_id: None)
+def test_none_free_says_what_to_do(all_leased: list[DomainLease], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(domains, "lease_holders", lambda: [Holder(7, os.getuid(), os.getppid())])
     with pytest.raises(NoDomainFree, match=rf"1 domain by you \(process {os.getppid()}\).*Close notebooks"):
         lease_domain()
@@ -180,9 +189,14 @@ def test_none_free_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:
         lease_domain()
 
 
-def test_domains_that_rest_or_belong_to_strangers_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_domains_that_rest_or_belong_to_strangers_are_counted(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(domains, "SOCKET_PREFIX", f"test-{os.getpid()}/")
+    monkeypatch.setattr(domains, "udp_ports_in_use", set)
+    for domain_id in range(1, 91):
+        lease_domain(preferred=domain_id).release(killed=True)
     monkeypatch.setattr(domains, "lease_holders", list)
-    monkeypatch.setattr(domains, "_is_cooling_down", lambda domain_id: domain_id <= 90)
     monkeypatch.setattr(domains, "udp_ports_in_use", lambda: {*range(7400, 33_000, 10)})
     with pytest.raises(NoDomainFree) as raised:
         lease_domain()
@@ -190,17 +204,10 @@ def test_domains_that_rest_or_belong_to_strangers_are_counted(monkeypatch: pytes
     assert "Used by ROS programs that lease none: 11" in str(raised.value)
 
 
-def test_every_domain_can_be_leased_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(domains, "SOCKET_PREFIX", f"test-{os.getpid()}/")
-    monkeypatch.setattr(domains, "udp_ports_in_use", set)
-    leases = [lease_domain() for _ in range(101)]
-    try:
-        assert {lease.domain_id for lease in leases} == set(range(1, 102))
-        with pytest.raises(NoDomainFree):
-            lease_domain()
-    finally:
-        for lease in leases:
-            lease.release()
+def test_every_domain_can_be_leased_once(all_leased: list[DomainLease]) -> None:
+    assert {lease.domain_id for lease in all_leased} == set(range(1, 102))
+    with pytest.raises(NoDomainFree):
+        lease_domain()
 
 
 def test_ports_and_domains_belong_together() -> None:

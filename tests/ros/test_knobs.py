@@ -44,6 +44,7 @@ def with_knobs(kernel: Any) -> Any:
     return kernel
 
 
+@pytest.mark.whole
 def test_each_move_starts_the_program_again(with_knobs: Any) -> None:
     for _ in range(2):  # the cell can be run again
         with_knobs.good("made.clear(); started.clear()")

@@ -1,5 +1,6 @@
 """What the panel is told of a domain, and that the domain does not notice it."""
 
+import math
 import os
 import select
 import signal
@@ -8,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -15,7 +17,7 @@ from std_msgs.msg import Float32MultiArray, String
 
 from tests.ros.panel_watcher import Watcher
 from workbook.inside import RUN, tap
-from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line
+from workbook.lab.panel.traffic import NUMBERS_KEPT, PublishedMessage, Traffic, Wire, one_line
 
 ENDS = """
 import os, subprocess
@@ -207,12 +209,55 @@ def test_a_rate_in_words(moments: list[float], now: float, words: str) -> None:
     assert traffic.rate(now) == words
 
 
+def test_the_numbers_of_a_topic_are_kept_for_a_sparkline() -> None:
+    traffic = Traffic()
+    for value in (0.5, math.nan, 1 / 3, True, "word", *range(NUMBERS_KEPT)):
+        traffic.add(report(), f"data: {value}", SimpleNamespace(data=value))
+        assert ("numbers" in traffic.news(0.0)) is (len(traffic.numbers) > 1)
+    told = traffic.news(0.0)
+    assert told["numbers"] == [float(one) for one in range(NUMBERS_KEPT)]
+    assert told["reacts"] is False, "no robot shows /chatter"
+    battery = Traffic()
+    for value in (0.5, 1 / 3):
+        battery.add(
+            PublishedMessage("/robot/battery", "std_msgs/msg/Float32", 1, 0.0, 0, b""),
+            "",
+            SimpleNamespace(data=value),
+        )
+    assert battery.news(0.0) == {"rate": "2 messages", "value": "", "numbers": [0.5, 0.3333], "reacts": True}
+
+
+def test_a_response_is_reported_and_is_no_topic(kernel: Any, watcher: Watcher) -> None:
+    kernel.good("from std_srvs.srv import Trigger; init(); node = fresh(Node, 'self_test')")
+    kernel.good(
+        "def answer(request, response):\n"
+        "    response.success, response.message = False, 'the left knee is stiff'\n"
+        "    return response\n"
+        "node.create_service(Trigger, '/robot/self_test', answer)\n"
+        "client = node.create_client(Trigger, '/robot/self_test')"
+    )
+    watcher.order(domain=domain_of(kernel))
+    watcher.wait("graph", lambda one: one["nodes"] == ["/self_test"])
+    kernel.good("future = client.call_async(Trigger.Request())\nspin_for(node, seconds=1)")
+    # Words are sent at most a few times a second, so they may come after the shake and be gone again soon.
+    watcher.heard("robot", lambda one: one.get("shake"))
+    words = "self_test: success: False, message: the left knee is stiff"
+    watcher.heard("robot", lambda one: one.get("words") == words)
+    assert kernel.good("print(future.result().message)").text == "the left knee is stiff\n"
+    assert not [one for one in watcher.told if one["kind"] == "news" and one["topics"]]
+
+
 @pytest.mark.parametrize(
     ("text", "line"),
     [
         ("data: operational", "operational"),
         ("layout:\n  dim: []\n  data_offset: 0\ndata: [0.12345678, 1.0, 1.5e-05]", "[0.123, 1.0, 1.5e-05]"),
         ("x: 1.0\ny: 2.0", "x: 1.0, y: 2.0"),
+        ("linear:\n  x: 1.0\n  y: 2.0\nangular:\n  z: 0.0", "linear: x: 1.0, y: 2.0, angular: z: 0.0"),
+        (
+            "header:\n  stamp:\n    sec: 3\n    nanosec: 5\n  frame_id: 'a'\nposition: [1.0]",
+            "position: [1.0]",
+        ),
         ("data: " + "a" * 200, "a" * 89 + "…"),
     ],
 )

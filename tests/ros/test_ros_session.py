@@ -72,6 +72,20 @@ def test_run_stops_exactly_when_the_condition_holds(kernel):
     assert "0.2 s" in outcome.message
 
 
+def test_a_condition_that_was_true_once_has_become_true(kernel):
+    """As with a slider that is moved while the last frame is drawn: its cell would go on, but it has ended."""
+    kernel.good(
+        "init(); talker = fresh(Talker, 0.01)\n"
+        "asked = []\n"
+        "def third_time():\n"
+        "    asked.append(1)\n"
+        "    return len(asked) == 3\n"
+        "await run(talker, until=third_time)\n"
+        "asked.clear()\n"
+        "spin_for(talker, seconds=60, until=third_time)"
+    )
+
+
 def test_run_returns_the_result_of_a_future(kernel):
     kernel.good(
         "from std_srvs.srv import Trigger\n"

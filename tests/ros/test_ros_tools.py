@@ -210,7 +210,7 @@ def test_the_terminal_sees_nodes_and_topics(robot, domain):
     assert missing.returncode == 1
     told = " ".join(missing.stderr.split())
     assert "Nobody publishes /robot/battery. Published now: /robot/joints, /robot/status." in told
-    assert told.endswith("Waiting for it; Ctrl-C ends. Still nobody publishes /robot/battery.")
+    assert told.endswith("Waiting for it; Ctrl-C ends. Still no node publishes /robot/battery.")
 
 
 PLAIN = """
@@ -246,6 +246,7 @@ def until_all_are_seen(domain):
         assert time.monotonic() < end
 
 
+@pytest.mark.whole
 def test_every_look_waits_for_programs_that_announce_themselves_rarely(plain_programs, domain):
     """Whoever looks may wait for three seconds: then all answer, and nothing is reported as missing."""
     until_all_are_seen(domain)
@@ -299,7 +300,7 @@ def test_a_topic_whose_node_waits_for_the_clock_is_told(arguments, start_script,
     assert start_script(HELD).stdout.readline() == "up\n"
     seen = workbook("topic", *arguments, f"--domain={domain}")
     told = " ".join((seen.stderr + seen.stdout).split())
-    assert told.count("/robot/status uses simulated time (use_sim_time), but nobody publishes /clock.") == 1
+    assert told.count("/robot/status uses simulated time (use_sim_time), but no node publishes /clock.") == 1
     assert "no message" in told.lower()
 
 

@@ -99,6 +99,7 @@ def test_features_are_few_and_plain(told: object) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.whole
 def test_a_camera_of_ten_seconds_fits(tmp_path: Path) -> None:
     """640 by 480 pixels, 30 times a second: 277 MB, in the usual room."""
     plan = plan_for([CAMERA_TOPIC], watching(wall_seconds=WATCH_S))

@@ -14,7 +14,7 @@ from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import Float32, String
 from std_srvs.srv import SetBool, Trigger
 
-from workbook.criteria.vocabulary.known_errors import ended_in_order
+from tests.lesson_nodes.ending import ended_in_order
 from workbook.criteria.vocabulary.pairing import script
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan

@@ -10,9 +10,9 @@ import pytest
 from tests.programs.support import write
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import SPEEDS, Plan
-from workbook.recording.recording import Phase, Recording
+from workbook.recording.recording import Recording, Stretch
 from workbook.ros.domains import lease_domain
-from workbook.watching.following import intervals_of, rates_differ, two_paces
+from workbook.watching.following import intervals_of, rates_differ
 from workbook.watching.observer import Observer
 from workbook.watching.recorder import Recorder
 
@@ -124,9 +124,15 @@ def all_about(intervals: list[float], period: float) -> bool:
     return all(abs(one - period) <= 0.051 for one in intervals)
 
 
-def real_speed(recording: Recording, phase: Phase) -> float:
-    """Seconds of simulated time in a real second, from the first message of a phase to its last; 0 if unknown."""
-    heard = [one for one in recording.topic("/battery").arrivals if phase.start < one.t <= phase.end]
+def has_two_paces(recording: Recording) -> bool:
+    """Whether simulated time passed at two speeds, one at least twice the other."""
+    speeds = [stretch.speed for stretch in recording.stretches]
+    return 2 * min(speeds) <= max(speeds)
+
+
+def real_speed(recording: Recording, stretch: Stretch) -> float:
+    """Seconds of simulated time in a real second, from the first message of a stretch to its last; 0 if unknown."""
+    heard = [one for one in recording.topic("/battery").arrivals if stretch.start < one.t <= stretch.end]
     if len(heard) < 2:
         return 0.0
     return (heard[-1].t - heard[0].t) / (heard[-1].wall - heard[0].wall)
@@ -135,11 +141,9 @@ def real_speed(recording: Recording, phase: Phase) -> float:
 def test_two_timers_on_robot_time_are_recorded_exactly(watched: Watched) -> None:
     recording = watched(TWO_TIMERS)
     assert recording.follows_clock
-    assert recording.simulated_s == 9.0
+    assert recording.watched_s == 9.0
     assert recording.step_s == 0.05
-    fast, slow = two_paces(recording.phases)
-    assert fast
-    assert slow
+    assert has_two_paces(recording)
     battery, status = recording.topic("/battery"), recording.topic("/status")
     assert len(battery.arrivals) == 9
     assert len(status.arrivals) == 18
@@ -193,7 +197,7 @@ def test_setting_the_clock_of_the_machine_moves_no_message(
 def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:
     recording = watched(OWN_CLOCK.format(options=""), "wall")
     assert (recording.clock, recording.step_s, recording.follows_clock) == ("wall", None, None)
-    assert not recording.phases
+    assert not recording.stretches
     window = recording.topic("/battery").window
     assert window is not None
     assert window[0] == 0.0
@@ -202,7 +206,7 @@ def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:
     assert len(recording.topic("/battery").arrivals) >= 3
     times = [arrival.t for arrival in recording.topic("/battery").arrivals]
     assert times == sorted(times)
-    assert all(0.0 <= t <= recording.simulated_s for t in times)
+    assert all(0.0 <= t <= recording.watched_s for t in times)
 
 
 def test_a_program_on_its_own_clock_is_never_taken_for_one_that_follows(watched: Watched) -> None:
@@ -226,7 +230,7 @@ def test_a_slow_pace_is_slow_beside_what_the_machine_could_do(
     monkeypatch.setattr("workbook.watching.simulated_time.SPEEDS", (SPEEDS[0], SPEEDS[0]))
     recording = watched(TIMER_AND_SLEEP)
     assert not recording.in_lockstep
-    assert all(two_paces(recording.phases))
+    assert has_two_paces(recording)
     assert recording.following.get("/battery") is True
 
 
@@ -235,14 +239,14 @@ ONE_PAIR = replace(PLAN, simulated_seconds=17.0)
 
 
 def ends_of_the_second_half(recording: Recording) -> list[float]:
-    """Where the phases end that begin in the second half of the watch, simulated time in s."""
-    return [round(phase.end, 3) for phase in recording.phases if phase.start > 8.4]
+    """Where the stretches end that begin in the second half of the watch, simulated time in s."""
+    return [round(stretch.end, 3) for stretch in recording.stretches if stretch.start > 8.4]
 
 
 def test_the_slow_pace_lasts_only_until_all_topics_are_proved_to_follow(watched: Watched) -> None:
     recording = watched(TWO_TIMERS, plan=ONE_PAIR)
     assert recording.following == {"/battery": True, "/status": True}
-    assert recording.simulated_s == 17.0
+    assert recording.watched_s == 17.0
     slow, *_, last = ends_of_the_second_half(recording)
     assert 11.5 <= slow <= 13.5
     assert last == 17.0
@@ -258,7 +262,7 @@ def test_the_slow_pace_lasts_as_long_as_a_topic_has_proved_nothing(watched: Watc
 def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched) -> None:
     """Two messages of a period of 4 s in the 9 s that are judged prove nothing; the clock goes on until they do."""
     recording = watched(TWO_TIMERS.replace("create_timer(1.0,", "create_timer(4.0,"))
-    assert recording.simulated_s == 9.0
+    assert recording.watched_s == 9.0
     assert len(recording.topic("/battery").arrivals) == 2
     assert all_about(intervals_of(recording, "/battery"), 4.0)
     assert recording.following == {"/battery": True, "/status": True}
@@ -281,7 +285,7 @@ def test_a_program_that_cannot_be_switched_is_watched_on_the_wall_clock(
     if "enable_rosout" in options:
         text = text.replace("battery, status", f"{REFUSAL}battery, status", 1)
     recording = watched(text)
-    assert (recording.clock, recording.follows_clock, recording.phases) == ("wall", False, ())
+    assert (recording.clock, recording.follows_clock, recording.stretches) == ("wall", False, ())
     assert recording.topic("/battery").arrivals
 
 
@@ -314,7 +318,7 @@ def test_in_real_time_rates_are_compared_within_a_factor(watched: Watched) -> No
 def test_a_watch_on_the_wall_clock_ends_early_when_it_is_enough(observer: Observer, tmp_path: Path) -> None:
     plan = replace(PLAN, wall_seconds=3600.0)
     with observer.watch(ProgramSpec(write(tmp_path, TWO_TIMERS)), plan, "wall") as watch:
-        assert watch.observe(lambda: True).simulated_s < 60.0
+        assert watch.observe(lambda: True).watched_s < 60.0
 
 
 def test_a_program_that_ends_early(watched: Watched) -> None:
@@ -322,7 +326,7 @@ def test_a_program_that_ends_early(watched: Watched) -> None:
     assert (recording.process.ended_by, recording.process.exit) == ("itself", 0)
     assert recording.process.log == "nothing to do\n"
     assert recording.follows_clock is None
-    assert recording.simulated_s == 0.0
+    assert recording.watched_s == 0.0
     assert not recording.topics
 
 
@@ -334,7 +338,7 @@ def test_a_program_that_ends_in_the_middle(watched: Watched) -> None:
     )
     assert (recording.process.ended_by, recording.process.exit) == ("itself", 3)
     assert [arrival.value["data"] for arrival in recording.topic("/battery").arrivals] == [99.5, 99.0]
-    assert recording.simulated_s < 7.0
+    assert recording.watched_s < 7.0
 
 
 def test_a_program_that_cannot_be_read_is_over_at_once(watched: Watched) -> None:
@@ -432,6 +436,7 @@ def test_keep_watching_ends_early_when_it_is_enough(observer: Observer, tmp_path
     assert ended.topics == recording.topics
 
 
+@pytest.mark.whole
 def test_keep_watching_ends_with_the_program(observer: Observer, tmp_path: Path) -> None:
     text = TWO_TIMERS.replace(
         "self.level -= 0.5", "self.level -= 0.5\n        if self.level < 95.0: raise SystemExit(0)"

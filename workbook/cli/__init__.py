@@ -1,4 +1,5 @@
-"""The `workbook` command: each module here that has a `register` function adds its subcommands.
+"""Define the `workbook` command: each module here with a `register` function adds its subcommands.
 
-It is a face, so nothing imports it. The modules import what they need when they run, to keep `workbook --help` fast.
+This package is an entry point, so no module outside imports it. To keep `workbook --help` fast, its modules import
+other packages only when a subcommand runs.
 """

@@ -1,4 +1,4 @@
-"""`workbook autograde`: judges one submission where another system has put it, and answers in that system's form."""
+"""`workbook autograde`: judge a submission inside another grading system, and report the result in its format."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ JUDGED, NOT_YET, FAULT = 0, 1, 2
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    """Add the subcommand with its places."""
+    """Add the subcommand with an action for each grading system."""
     parser = subparsers.add_parser(
         "autograde",
         help="judge one submission at Gradescope or GitHub (what `workbook package` makes calls this)",
@@ -42,8 +42,8 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     github = places.add_parser(
         "github",
         parents=[isolation],
-        help="write a summary. Exit code 0: all that was handed in is right, 1: not yet or nothing handed in, "
-        "2: a fault of the grader",
+        help="write a summary. Exit code 0: every answer is right, 1: not yet or nothing handed in, "
+        "2: an error in the judge",
     )
     github.add_argument("exercises", metavar="EXERCISE", nargs="+")
     github.add_argument("--answers", metavar="FOLDER", required=True, type=Path)
@@ -56,7 +56,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run_gradescope(options: argparse.Namespace) -> int:
-    """Judge, and write results.json whatever happens."""
+    """Judge a submission for Gradescope. Write results.json even if the judge fails. Return the exit code."""
     from workbook.exercise.definition import load_exercise
     from workbook.grading.files import write_whole
     from workbook.grading.gradescope import fault_json, grade_submission
@@ -64,7 +64,7 @@ def run_gradescope(options: argparse.Namespace) -> int:
     try:
         exercise = load_exercise(options.exercise)
         result = grade_submission(exercise, options.submission, options.results, options.isolation)
-    except Exception as error:  # whatever it is, it is our fault, and it must not cost points
+    except Exception as error:  # any exception here is our fault and must not cost points
         print(printable(f"workbook autograde: {type(error).__name__}: {error}"), file=sys.stderr)
         write_whole(options.results, fault_json(f"{type(error).__name__}: {error}"))
         return FAULT
@@ -73,13 +73,20 @@ def run_gradescope(options: argparse.Namespace) -> int:
 
 
 def _line(result: "Result") -> str:
-    """One line: on GitHub, a line of the log that begins with `::` is a command, and names of files are a student's."""
+    """Return a result as one printable line.
+
+    Line breaks must not get through: students choose file names, and a log line that begins with `::` is a GitHub
+    command.
+    """
     said = result.reason if result.score is None else f"{result.score:g} of {result.max_score:g} points"
     return printable(f"{result.exercise}: {result.status}, {said}. Isolation: {result.isolation}.")
 
 
 def run_github(options: argparse.Namespace) -> int:
-    """Judge all exercises, and write the page of the run, the results, and what Classroom's reporter reads."""
+    """Judge all exercises. Write the run's summary, the results, and the outputs for GitHub Classroom's reporter.
+
+    Return the exit code.
+    """
     from workbook.exercise.definition import load_exercise
     from workbook.grading.github import all_hold, grade_pushed, summary
     from workbook.grading.single import choose_isolation
@@ -111,7 +118,7 @@ def _append(path: Path | None, text: str) -> None:
 
 
 def _outputs(pushed: "Sequence[Pushed]", out: Path) -> str:
-    """Keep results below `out`, and return those for Classroom as lines of name=value."""
+    """Store the results below `out`, and return those for Classroom as lines of name=value."""
     from workbook.grading.files import write_whole
     from workbook.grading.github import classroom, encoded
     from workbook.grading.results_file import RESULTS, ResultsFile
@@ -142,6 +149,6 @@ def _fault_page(error: Exception) -> str:
     from workbook.feedback.markdown import plain
 
     return (
-        "## Not judged\n\nThe grader itself failed, and not your program: "
+        "## Not judged\n\nThe judge itself failed, not your program: "
         f"{plain(str(error))}\n\nTell your instructor. No points are lost.\n"
     )

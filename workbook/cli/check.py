@@ -40,7 +40,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "--as-graded",
         action="store_true",
-        help="also start the program again for 8 real seconds, as the instructor's grader does",
+        help="also start the program again for 8 real seconds, as `workbook grade` does",
     )
     parser.add_argument(
         "--seed",
@@ -55,7 +55,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """Start the answer, then import the judge, then judge."""
+    """Judge the answer. Start it before importing the judge, so that both load in parallel. Return the exit code."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.early_start import StartedAnswer
@@ -77,7 +77,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _file(options: argparse.Namespace, source: "ExerciseSource") -> Path:
-    """The answer to judge. With --watch, an answer that is not there yet begins as the starter. Raises Ungradable."""
+    """Return the path of the answer to judge.
+
+    With --watch, create a missing answer from the starter. Otherwise, raise Ungradable if it doesn't exist.
+    """
     from workbook.exercise.answer_files import save_answer
     from workbook.exercise.answers import Ungradable
 
@@ -109,11 +112,11 @@ def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) ->
 
 
 def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:
-    """Keep the outcome in the student's progress, as `%check` does, when it is the student's own answer file."""
+    """Store the outcome in the student's progress, as `%check` does, if the file is in the student's answers folder."""
     from workbook.lesson.best_answers import Check
 
     if file.resolve().parent == student_answers().resolve():
-        with suppress(OSError):  # a full disk costs the note, and not the verdict
+        with suppress(OSError):  # a full disk should cost only the note, not the verdict
             Check(judgement.stem, answer.text).note(judgement)
 
 
@@ -125,7 +128,7 @@ def _not_judged(error: Exception) -> int:
 def _judge(
     options: argparse.Namespace, stem: str, file: Path, answer: "Answer", started: "StartedAnswer"
 ) -> int:
-    """Judge an answer that runs already. What needs ROS is imported here, while the answer imports it as well."""
+    """Judge an answer that is already running. Modules that need ROS are imported here while the answer starts."""
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
@@ -150,7 +153,7 @@ def _judge(
 def _judgement_of(
     exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, soak: bool, seed: int | None
 ) -> "Judgement":
-    """Judge the started program; one more try, if that is inconclusive, starts it anew."""
+    """Judge the started program. If the result is inconclusive, start the program again for another try."""
     from workbook.exercise.judging import Judge
     from workbook.exercise.retries import until_sure
     from workbook.watching.observer import Observer
@@ -173,7 +176,7 @@ def _judgement_of(
 
 
 def _report(judgement: "Judgement") -> None:
-    """Say what is still under way."""
+    """Print what happens next, after a provisional or inconclusive judgment."""
     from workbook.feedback import wording
 
     if judgement.inconclusive_reason:

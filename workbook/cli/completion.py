@@ -1,7 +1,7 @@
-"""`workbook completion`: what makes Tab complete commands, options, exercises, and topics in a shell.
+"""`workbook completion`: print a script that makes a shell complete commands, options, exercises, and topics on Tab.
 
-argcomplete does it: the script that a shell sources calls `workbook` on Tab, and `main` lets `answer_tab` write what
-fits. So the script stays right when a command changes.
+The script comes from argcomplete. On Tab, it calls `workbook`, and `answer_tab` writes the completions. So the script
+stays valid when a command changes.
 """
 
 import argparse
@@ -17,7 +17,7 @@ PLACES = {
     "zsh": "~/.zfunc/_workbook",
     "fish": "~/.config/fish/completions/workbook.fish",
 }
-"""Where each shell looks for it. For zsh, `fpath+=~/.zfunc` has to stand before `compinit` in ~/.zshrc."""
+"""Where each shell looks for the script. For zsh, `fpath+=~/.zfunc` must come before `compinit` in ~/.zshrc."""
 
 
 def register(subparsers: Any) -> None:
@@ -34,7 +34,7 @@ def register(subparsers: Any) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the script."""
+    """Print the shell's completion script. Return the exit code."""
     from argcomplete.shell_integration import shellcode
 
     print(shellcode(["workbook", "rclpy-workbook"], shell=options.shell))
@@ -42,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def answer_tab(build_parser: Callable[[], CommandParser]) -> None:
-    """Write what fits behind the cursor and end, if a shell has called because of Tab; otherwise do nothing."""
+    """Write the completions and exit the process if a shell's Tab key caused this call; otherwise, do nothing."""
     if "_ARGCOMPLETE" not in os.environ:
         return
     import argcomplete
@@ -53,7 +53,7 @@ def answer_tab(build_parser: Callable[[], CommandParser]) -> None:
     for action in _arguments_of(parser):
         completer: Any = FilesCompleter() if action.type is Path else completers.get(str(action.metavar))
         if completer is not None:
-            setattr(action, "completer", completer)  # noqa: B010 (argparse doesn't know it, argcomplete looks for it)
+            setattr(action, "completer", completer)  # noqa: B010 (argparse lacks this attribute; argcomplete reads it)
     argcomplete.autocomplete(parser, always_complete_options=False, default_completer=SuppressCompleter())
 
 
@@ -74,7 +74,7 @@ def _exercises(**_: object) -> tuple[str, ...]:
 
 
 def _topics(**_: object) -> tuple[str, ...]:
-    """The topics that the exercises are about, without those that only the judge's drivers use."""
+    """Return the topics of all exercises, except those that only the judge's drivers use."""
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.recording.script import Publishes
 
@@ -82,7 +82,7 @@ def _topics(**_: object) -> tuple[str, ...]:
     for stem in _exercises():
         try:
             plan = load_exercise(stem).plan
-        except BrokenCriteria:  # Tab need not know them
+        except BrokenCriteria:  # completion can do without them
             continue
         topics.update(plan.topics)
         topics.update(part.topic for part in plan.script.parts if isinstance(part, Publishes))

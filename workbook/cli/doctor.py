@@ -1,4 +1,4 @@
-"""`workbook doctor`: is this machine ready, and what to do if not."""
+"""`workbook doctor`: check whether this machine is ready, and say what to do if it isn't."""
 
 import argparse
 import os
@@ -34,7 +34,10 @@ def register(subparsers: Any) -> None:
 
 
 def line(finding: "HealthFinding", stream: TextIO) -> str:
-    """One finding as text, colored on a terminal: sign, word, what was seen, and what to do below it."""
+    """Return a finding as text: a sign, its status, its title, what we saw, and the next step on a new line.
+
+    Color the status on a terminal. Use ASCII signs if the stream's encoding lacks ✓ and ✗.
+    """
     try:
         "✓✗".encode(stream.encoding or "ascii")
         sign = SIGNS[finding.status]
@@ -55,7 +58,7 @@ def _in_column(text: str) -> str:
 
 
 def report() -> str:
-    """The findings as plain text that anyone may read."""
+    """Return the versions and findings as plain text without personal names, so that it can be published."""
     from workbook.cli.report import doctor_lines
     from workbook.exercise.course import is_from_wheel
     from workbook.grading.new_results import versions
@@ -68,7 +71,7 @@ def report() -> str:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print each finding as it is made, and a summary."""
+    """Print each finding right away, then a summary. Return the exit code: 1 if something must be fixed, else 0."""
     from workbook.exercise.course import is_from_wheel
     from workbook.lab.health import examine
 

@@ -1,4 +1,4 @@
-"""`workbook grade`: judge a folder of answers and keep the gradebook."""
+"""`workbook grade`: judge a folder of answers, and write the gradebook."""
 
 import argparse
 import os
@@ -62,7 +62,10 @@ def _exercise_name(options: argparse.Namespace) -> str:
 
 
 def _isolation(wanted: str) -> "Isolation":
-    """The sandbox, or the weaker tier that was accepted by its name. Raises NoSandbox when it does not work here."""
+    """Return the isolation tier that `wanted` names; "auto" means the sandbox, never a weaker tier.
+
+    Raises NoSandbox if that tier doesn't work on this machine.
+    """
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
     from workbook.isolation.bubblewrap import NoSandbox
     from workbook.isolation.tiers import BEST_FIRST, covers, leaves_open, named_tier
@@ -81,7 +84,7 @@ def _isolation(wanted: str) -> "Isolation":
 
 
 def run(options: argparse.Namespace) -> int:
-    """Grade or regrade. Returns the exit code: 2 when an option, the course or the sandbox cannot be used."""
+    """Grade or regrade. Return the exit code: 2 if an option, the course, or the sandbox can't be used."""
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import OWN_CRITERIA, BrokenCriteria, load_exercise, own_criteria
@@ -126,7 +129,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
-    """Raises BadOption where there is nothing to look at, or an option would have no effect."""
+    """Check the paths and options. Raises BadOption if there is nothing to grade, or an option would have no effect."""
     from workbook.grading.roster import BadOption
 
     for first, second in (
@@ -152,7 +155,7 @@ def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
 def _judges(
     options: argparse.Namespace, exercise: "Exercise", screen: GradeScreen
 ) -> "AbstractContextManager[GradingBackend]":
-    """Who judges: slots of this machine, or a farm. Says who. Raises BadOption, NoSandbox, NoJudges."""
+    """Return the backend, local slots or a farm, and print which. Raises BadOption, NoSandbox, or NoJudges."""
     from workbook.grading.roster import BadOption
     from workbook.grading.slots.scheduler import LocalSlots
     from workbook.isolation.tiers import meets_others
@@ -173,7 +176,7 @@ def _judges(
 def _farm(
     options: argparse.Namespace, stem: str, screen: GradeScreen
 ) -> "AbstractContextManager[GradingBackend]":
-    """Each worker tries itself what it can do: this machine runs no answer."""
+    """Connect to a farm, and print its size. Don't check the isolation here: only the workers run answers."""
     from workbook.grading.farm import Farm
     from workbook.grading.farm_connection import check_address
     from workbook.grading.roster import BadOption
@@ -249,7 +252,7 @@ def _regrade(
     books: "GradebookOptions",
     lines: "Sequence[OverrideLine]",
 ) -> int:
-    """Judge stored recordings again and tell whose marks changed. This way needs no ROS."""
+    """Judge stored recordings again, and print whose marks changed. This needs no ROS. Return the exit code."""
     from workbook.grading.gradebook import write_gradebook
     from workbook.grading.regrade import regrade
     from workbook.grading.results_file import RESULTS, last_results
@@ -272,7 +275,7 @@ def _regrade(
 def _repeat(
     options: argparse.Namespace, exercise: "Exercise", batch: "Batch", judges: "GradingBackend"
 ) -> int:
-    """Judge everything several times and name the answers whose verdict changes."""
+    """Judge all answers several times, and print those whose verdict changes. Return the exit code."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.grading.judges import Job
     from workbook.grading.repeatability import unsteady

@@ -1,4 +1,4 @@
-"""`workbook grade --override`: takes changes of marks, and says which are in force."""
+"""`workbook grade --override`: store changes to marks, and report which ones apply."""
 
 import argparse
 import sys
@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
 
 def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
-    """The changes that the command brings; none without `--override`. Raises BadOption, also for kept ones."""
+    """Return the changes from the `--override` file; an empty list without one.
+
+    Raises BadOption for an invalid line, in this file or among the stored changes.
+    """
     from workbook.grading.appeals import kept, read_lines
 
     kept(options.out)
@@ -24,7 +27,10 @@ def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
 
 
 def take(out: Path, lines: "Sequence[OverrideLine]", results: "Mapping[StudentAndExercise, Result]") -> int:
-    """Keep changes that all fit, or none of them. Returns 2 when one fits nobody, else 0. Raises FolderInUse."""
+    """Store the changes if all of them match the results; otherwise, print the problem and store none.
+
+    Return the exit code: 0 if they match, else 2. Raises FolderInUse.
+    """
     from workbook.grading.appeals import fit, keep
     from workbook.grading.results_file import RESULTS, ResultsFile
     from workbook.grading.roster import BadOption
@@ -41,7 +47,7 @@ def take(out: Path, lines: "Sequence[OverrideLine]", results: "Mapping[StudentAn
 
 
 def say_changes(out: Path, results: "Mapping[StudentAndExercise, Result]") -> None:
-    """Print how many marks a person has changed, and which changes are not applied."""
+    """Print the marks that a person has changed, and the changes that have no effect."""
     from workbook.grading.appeals import OVERRIDES, deductions, kept, with_changes, without_effect
 
     changes = kept(out)
@@ -61,7 +67,7 @@ def only_override(
     books: "GradebookOptions",
     lines: "Sequence[OverrideLine]",
 ) -> int:
-    """Change marks and write the gradebook; nothing is judged. Returns the exit code."""
+    """Change marks and write the gradebook without judging anything. Return the exit code."""
     from workbook.grading.gradebook import write_gradebook
     from workbook.grading.results_file import RESULTS, last_results
     from workbook.grading.roster import BadOption

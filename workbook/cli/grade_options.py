@@ -1,4 +1,4 @@
-"""The options of `workbook grade`, and what they come to."""
+"""Define and interpret the options of `workbook grade`."""
 
 import argparse
 from pathlib import Path
@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from workbook.grading.roster import Roster
 
 SLOTS_PER_CORE = {"simulated": 2, "wall": 4}
-"""Answers at work at once. On the wall clock they wait for nine tenths of their time."""
+"""Answers to run in parallel on each core. On the wall clock, they spend nine tenths of their time waiting."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """All of them, in the order in which `--help` tells them."""
+    """Add all options, in the order of `--help`."""
     _add_answers(parser)
     _add_judges(parser)
     _add_retries(parser)
@@ -43,9 +43,9 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         "--slots",
         metavar="N",
         type=int,
-        help=f"answers judged at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
+        help=f"answers judged in parallel (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
         f"{SLOTS_PER_CORE['wall']} per core on the wall clock, and more while processors are idle). Answers that "
-        "are only watched in real time do not count. With uid and landlock it is always one",
+        "are only watched in real time do not count. One with uid and landlock",
     )
     parser.add_argument(
         "--farm",
@@ -57,7 +57,7 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
         help="With sandbox (auto means the same), each program runs in a bubblewrap sandbox, with its own network. "
-        "With uid, it has a separate user id, if the grader is root. With landlock, the kernel hides files. With "
+        "With uid, it has a separate user id, if you are root. With landlock, the kernel hides files. With "
         "limits, it has resource limits and its own domain: only for answers that you would run yourself",
     )
     parser.add_argument(
@@ -173,7 +173,7 @@ def _add_repetition(parser: argparse.ArgumentParser) -> None:
 
 
 def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
-    """What to make of the results. Raises BadOption."""
+    """Return the options for the gradebook and its exports. Raises BadOption."""
     from workbook.grading.exports import FORMATS
     from workbook.grading.gradebook import GradebookOptions
     from workbook.grading.roster import BadOption
@@ -189,7 +189,7 @@ def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
 
 
 def _lateness(options: argparse.Namespace) -> "Lateness | None":
-    """The late penalty; None without a deadline. Raises BadOption."""
+    """Return the late penalty; None if there is no deadline. Raises BadOption."""
     from workbook.grading.deadlines import FORM, parse_deadline, read_extensions, zone_named
     from workbook.grading.lateness import Lateness
     from workbook.grading.roster import BadOption
@@ -214,7 +214,7 @@ def _lateness(options: argparse.Namespace) -> "Lateness | None":
 
 
 def roster(options: argparse.Namespace) -> "Roster":
-    """Who a hand-in belongs to. Raises BadOption."""
+    """Return the roster, which maps hand-ins to students. Raises BadOption."""
     from workbook.grading.roster import Roster, read_aliases
 
     return Roster(read_aliases(options.aliases) if options.aliases else {}, options.assignment)

@@ -1,4 +1,4 @@
-"""What `workbook grade` says, while it works and at its end."""
+"""The output of `workbook grade`: progress while it runs, and summaries at the end."""
 
 import os
 import sys
@@ -16,25 +16,25 @@ if TYPE_CHECKING:
 
 
 def minutes(seconds: float) -> str:
-    """A duration, given in s, as text: "4:05 min" from one minute on, "42 s" below."""
+    """Format a duration (s): "4:05 min" from one minute on, "42 s" below."""
     whole = round(seconds)
     return f"{whole // 60}:{whole % 60:02d} min" if whole >= 60 else f"{whole} s"
 
 
 def outcome(result: "Result") -> str:
-    """The score and the maximum, such as "8/10"; the status and the reason where the answer was not graded."""
+    """Return the score and the maximum, such as "8/10"; if the answer wasn't graded, the status and the reason."""
     if result.status != "graded":
         return f"{result.status}: {result.reason}"
     return f"{result.score:g}/{result.max_score:g}"
 
 
 def printable(text: object) -> str:
-    """The text with a question mark for each line break, control character or other unprintable character."""
+    """Replace each line break, control character, or other unprintable character with a question mark."""
     return "".join(character if character.isprintable() else "?" for character in str(text))
 
 
 class GradeScreen:
-    """Progress on one line of a terminal, or a line per answer in a file."""
+    """Shows progress: on one line of a terminal, or as one line per answer in a file."""
 
     def __init__(self) -> None:
         self._is_terminal = sys.stderr.isatty()
@@ -54,18 +54,18 @@ class GradeScreen:
             print(line, file=sys.stderr, flush=True)
 
     def say(self, text: str) -> None:
-        """A sentence on a line of its own."""
+        """Print a sentence on a separate line."""
         start = "\r\x1b[K" if self._is_terminal else ""
         print(start + printable(text), file=sys.stderr, flush=True)
 
     def finish(self) -> None:
-        """End the progress line, so that the next output of a terminal begins on a new one."""
+        """End the progress line on a terminal, so that the next output begins on a new line."""
         if self._is_terminal:
             print(file=sys.stderr)
 
 
 class Stopping:
-    """Ctrl-C once: finish the answers under way. Twice: stop at once (nothing judged is lost)."""
+    """Handles Ctrl-C. The first one lets running answers finish. The second one exits, but keeps finished judgments."""
 
     def __init__(self) -> None:
         self.wanted = False
@@ -82,12 +82,12 @@ class Stopping:
 
 
 def say_broken(line: "BrokenLine") -> None:
-    """Warn that a line of results.jsonl is not a result."""
+    """Warn about an invalid line in results.jsonl."""
     print(f"workbook grade: {printable(line)}", file=sys.stderr)
 
 
 def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> int:
-    """Print the summary of a run. Returns the exit code: 130 if stopped, 1 after a fault of the grader, else 0."""
+    """Print the summary of a run. Return the exit code: 130 if it was stopped, 1 if the judge failed, else 0."""
     counts = {"graded": 0, "ungradable": 0, "infra_error": 0}
     full = 0
     for result in summary.results:
@@ -95,7 +95,7 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
         full += result.score is not None and result.score == result.max_score
     print(
         f"{len(summary.results)} answers: {counts['graded']} graded ({full} with full marks), "
-        f"{counts['ungradable']} ungradable, {counts['infra_error']} not judged because of an error in the grader."
+        f"{counts['ungradable']} ungradable, {counts['infra_error']} not judged because of an error in the judge."
     )
     for result in summary.results:
         if result.status != "graded":
@@ -121,7 +121,7 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
 
 
 def conclude_regrading(found: "Sequence[Regraded]", exercise: str) -> int:
-    """Whose marks changed, and who could not be judged again. Returns the exit code."""
+    """Print whose marks changed, and who couldn't be judged again. Return the exit code: 1 for the latter, else 0."""
     changed = [one for one in found if one.changed]
     troubled = [one for one in found if one.problem]
     print(f"{len(found)} recordings of {exercise} judged again; the marks of {len(changed)} changed.")
@@ -139,7 +139,7 @@ def _points(points: float | None) -> str:
 
 
 def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -> int:
-    """Whose verdict changes from run to run. Returns the exit code."""
+    """Print whose verdict changes from run to run. Return the exit code: 1 if there are any, else 0."""
     print(f"{answers} answers, each judged {times} times: {len(found)} with changing verdicts.")
     for one in found:
         print(f"  {printable(one.student)}:")
@@ -149,7 +149,7 @@ def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -
 
 
 def _about_tries(results: "Sequence[Result]") -> list[str]:
-    """How many answers were tried again, and by name those whose tries differ."""
+    """Return lines that count the answers that were tried again, and name those whose tries differ."""
     twice = [result for result in results if result.tries]
     if not twice:
         return []
@@ -163,7 +163,7 @@ def _about_tries(results: "Sequence[Result]") -> list[str]:
 
 
 def about_lateness(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
-    """Return sentences on the deadlines, and on hand-ins whose time is missing or unreadable."""
+    """Return sentences about the deadlines, and about hand-ins whose time is missing or unreadable."""
     from workbook.grading.deadlines import about_unknown, in_words
 
     if lateness is None:

@@ -1,4 +1,4 @@
-"""`workbook grade --similar`: which answers are nearly the same. Nothing is judged."""
+"""`workbook grade --similar`: list pairs of nearly identical answers without judging them."""
 
 import argparse
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
 
 SHOWN = 100
-"""Pairs. Where there are more, the answers are alike because the task leaves no choice."""
+"""Maximum number of pairs to print. If there are more, the answers are similar because the task leaves no choice."""
 HINT = (
     "This is a hint and not a verdict. Two correct answers to a short task can look the same although both students "
     "worked alone. Read both answers, and talk to the students, before you conclude anything."
@@ -19,7 +19,7 @@ HINT = (
 
 
 def list_similar(options: argparse.Namespace, exercise: "Exercise") -> int:
-    """Print the pairs. Returns the exit code: 0, whether there are any or not. Raises BadOption, NoComparison."""
+    """Print the pairs. Return the exit code, 0 even if there are pairs. Raises BadOption or NoComparison."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.grading.hand_ins import all_hand_ins
     from workbook.grading.roster import BadOption

@@ -1,4 +1,4 @@
-"""`workbook node`, `workbook topic` and `workbook graph`: the ROS graph of the open notebook in a terminal."""
+"""`workbook node`, `workbook topic`, and `workbook graph`: inspect the open notebook's ROS graph in a terminal."""
 
 import argparse
 import math
@@ -16,11 +16,11 @@ from workbook.ros.environment import prepare
 from workbook.ros.notebook_registry import OpenNotebook, open_notebooks
 
 _LAST_DOMAIN = 232
-"""The highest that ROS knows."""
+"""The highest domain id that ROS allows."""
 
 
 class NoChoice(Exception):
-    """Several notebooks are open and there is no terminal to ask which is meant."""
+    """Several notebooks are open, but there is no terminal for asking which one is meant."""
 
 
 def register(subparsers: Any) -> None:
@@ -29,7 +29,7 @@ def register(subparsers: Any) -> None:
         title="commands", metavar="COMMAND", required=True
     )
     topic = subparsers.add_parser(
-        "topic", help="the topics in use, what is said on them, how often"
+        "topic", help="the topics in use, their messages, and their rates"
     ).add_subparsers(title="commands", metavar="COMMAND", required=True)
     _command(node, "list", "all nodes", lambda tools, options: tools.node_list(hidden=options.hidden))
     one = _command(
@@ -87,9 +87,9 @@ def _command(subparsers: Any, name: str, help_text: str, query: Callable[[Any, A
         name, help=help_text, description=help_text[0].upper() + help_text[1:] + "."
     )
     parser.add_argument(
-        "--domain", type=_domain, metavar="N", help="ROS domain (default: that of the open notebook)"
+        "--domain", type=_domain, metavar="N", help="ROS domain (default: the open notebook's)"
     )
-    parser.add_argument("--hidden", action="store_true", help="show what is usually left out, too")
+    parser.add_argument("--hidden", action="store_true", help="also show usually hidden nodes and topics")
     parser.set_defaults(run=lambda options: _run(options, query))
     return parser
 
@@ -109,7 +109,7 @@ def _run(options: argparse.Namespace, query: Callable[[Any, Any], Any]) -> int:
     try:
         shown = query(tools, options)
     except LookupError as error:
-        still = f"Still nobody publishes {options.topic}." if getattr(options, "said_who", False) else error
+        still = f"Still no node publishes {options.topic}." if getattr(options, "said_who", False) else error
         terminal.say(str(still), sys.stderr)
         return 1
     if shown is not None:
@@ -135,7 +135,7 @@ def _echo(tools: Any, options: argparse.Namespace) -> Any:
 
 
 def _hz(tools: Any, options: argparse.Namespace) -> Any:
-    """A line each second, and a summary at the end: also where Ctrl-C is the end."""
+    """Print the rate each second, and return a summary. After Ctrl-C, print the summary before reraising."""
     from workbook.ros.topic_monitor import rate_of
 
     topic, began, lines = "/" + options.topic.strip("/"), time.monotonic(), 0
@@ -169,7 +169,7 @@ def _say_who_waits(nodes: Sequence[str]) -> None:
 
 
 def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], None]:
-    """For a topic that nobody publishes: a function that says so, given the topics that are published."""
+    """Return a callback that takes the published topics, and prints that no node publishes the requested one."""
     topic = "/" + options.topic.strip("/")
 
     def say(published: Sequence[str]) -> None:
@@ -186,13 +186,16 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
 
 
 def _topic_meant(topic: str, published: Sequence[str]) -> str:
-    """A question for the topic that was probably meant: one in a namespace, or one with a similar name."""
+    """Return a question that suggests the topic that was probably meant; "" if there is none.
+
+    That's the same name in a namespace or, failing that, a similar name.
+    """
     ending = [name for name in published if name.endswith(topic)]
     return f"Did you mean {ending[0]}?" if ending else terminal.meant(topic, published, cutoff=0.75)
 
 
 def nodes_on(domain_id: int) -> int:
-    """How many nodes there are on a domain now."""
+    """Return the current number of nodes on a domain."""
     if not udp_ports_in_use() & set(dds_port_range(domain_id)):
         return 0
     prepare(domain_id=domain_id, check_fields=False)
@@ -207,10 +210,10 @@ def choose_domain(
     in_environment: str | None,
     count_nodes: Callable[[int], int] = nodes_on,
 ) -> int:
-    """The domain to look at: the one asked for, that of the open notebook, or that of the environment.
+    """Return the domain to inspect: the requested one, the open notebook's, or the environment's.
 
-    Of several open notebooks it takes the only one that has nodes, and says which. Otherwise it asks at a terminal, and
-    raises NoChoice elsewhere.
+    If several notebooks are open and none is on the environment's domain, choose the only one with nodes, and print
+    which. If that isn't unique either, ask at a terminal. Without a terminal, raise NoChoice.
     """
     if asked is not None:
         return asked
@@ -234,7 +237,7 @@ def choose_domain(
 
 
 def _ask_which(notebooks: list[OpenNotebook], nodes: dict[int, int]) -> int:
-    """The domain of the notebook that a person chooses from a menu. Raises NoChoice where there is nobody to ask."""
+    """Let the user choose a notebook from a menu, and return its domain. Raises NoChoice if there is no terminal."""
     print("Several notebooks are open:", file=sys.stderr)
     for place, notebook in enumerate(notebooks, 1):
         count = nodes[notebook.domain_id]

@@ -1,4 +1,4 @@
-"""`workbook hint`: the next hint to an exercise in the terminal, as `%hint` shows it in a notebook."""
+"""`workbook hint`: print an exercise's next hint in the terminal, as `%hint` does in a notebook."""
 
 import argparse
 import re
@@ -30,7 +30,7 @@ def register(subparsers: Any) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the hint and remember that it was shown."""
+    """Print the hints, and record how many were shown. Return the exit code."""
     from workbook.cli.paths import student_answers
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import SourceError, UnknownExercise, find, load
@@ -49,7 +49,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _level(text: str | None) -> int | None:
-    """The number of a hint, from 1; None for the next one. Raises ValueError."""
+    """Return a hint's number, counted from 1; None for the next hint. Raises ValueError if there is no such hint."""
     if text is None:
         return None
     if text in LEVELS:
@@ -60,7 +60,7 @@ def _level(text: str | None) -> int | None:
 
 
 def hints_of(stem: str, hints: tuple[str, ...], level: int | None) -> str:
-    """The hints up to `level`, or up to the next one, as text. Notes in the progress how many were shown."""
+    """Return the hints up to `level` (None: the next one) as text, and record in the progress how many were shown."""
     from workbook.lesson.progress import changed_progress
 
     with changed_progress(stem) as progress:
@@ -76,10 +76,10 @@ def hints_of(stem: str, hints: tuple[str, ...], level: int | None) -> str:
 
 
 def as_terminal_text(markdown: str) -> str:
-    """Markdown as it reads well in a terminal: prose wrapped, code indented as it is."""
+    """Format Markdown for a terminal: wrap the prose, and indent code blocks without wrapping them."""
     lines: list[str] = []
     for number, part in enumerate(markdown.split(_FENCE)):
-        if number % 2:  # code; its first line names the language
+        if number % 2:  # a code block; its first line names the language
             lines += [f"    {line}".rstrip() for line in part.split("\n")[1:-1]]
         else:
             lines += [_prose(block) for block in re.split(r"\n\s*\n", part.strip()) if block]
@@ -88,7 +88,7 @@ def as_terminal_text(markdown: str) -> str:
 
 
 def _prose(block: str) -> str:
-    """A paragraph, or a list with an entry a line. The address of a link follows its words."""
+    """Wrap a paragraph or a list. Each list item begins on a new line, and a link's target follows its text."""
     block = _LINK.sub(r"\1 (\2)", block).replace("**", "")
     entries = [" ".join(entry.split()) for entry in _ENTRY.split(block)]
     return "\n".join(

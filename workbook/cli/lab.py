@@ -1,4 +1,4 @@
-"""`workbook lab` and `workbook reset`."""
+"""`workbook lab` and `workbook reset`: open the lessons in JupyterLab, and reset an exercise."""
 
 import argparse
 from typing import Any
@@ -27,14 +27,14 @@ def register(subparsers: Any) -> None:
 
 
 def run_lab(options: argparse.Namespace) -> int:
-    """Become JupyterLab."""
+    """Replace this process with JupyterLab. With --only-copy, just update the student's copy."""
     from workbook.lab.launch import launch
 
     return _only_copy() if options.only_copy else launch(options.rest)
 
 
 def _only_copy() -> int:
-    """Bring the student's copy up to date, for those who open it in another editor."""
+    """Bring the student's copy up to date, for students who use another editor. Return the exit code."""
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.lab.launch import CannotLaunch, prepare_copy, student_folder
 
@@ -50,7 +50,7 @@ def _only_copy() -> int:
 
 
 def run_reset(options: argparse.Namespace) -> int:
-    """Restore the starter of one exercise."""
+    """Reset an exercise to its starter, and print where the backups are. Return the exit code."""
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.lab.launch import student_folder
     from workbook.lab.work_folder import NoSuchExercise, reset

@@ -1,8 +1,8 @@
-"""The `workbook` command: finds the subcommands and runs one.
+"""Run the `workbook` command: find the subcommands and run one.
 
-Every module of this package with a `register(subparsers)` function adds its subcommands; it sets the default
-`run` of its parser to a function that takes the parsed arguments and returns the exit code. Such modules import
-nothing heavy at their top, so that `workbook --help` answers at once.
+Each module of this package with a `register(subparsers)` function adds its subcommands. `register` sets the parser's
+default `run` to a function that takes the parsed arguments and returns the exit code. To keep `workbook --help` fast,
+these modules have no slow imports at the top.
 """
 
 import atexit
@@ -29,7 +29,7 @@ GROUPS = (
 
 
 def build_parser() -> CommandParser:
-    """The parser with the subcommands of every module of `workbook.cli`."""
+    """Return the parser with the subcommands of every module of `workbook.cli`."""
     parser = CommandParser(
         prog="workbook",
         groups=GROUPS,
@@ -46,7 +46,7 @@ def build_parser() -> CommandParser:
 
 
 def drop_search_path() -> None:
-    """Start again without PYTHONPATH: a sourced ROS would put its own rclpy before that of the wheels."""
+    """Restart without PYTHONPATH and PYTHONHOME if we use the wheels' rclpy, because a sourced ROS would hide it."""
     if not (os.environ.get("PYTHONPATH") or os.environ.get("PYTHONHOME")):
         return
     from workbook.ros.environment import uses_wheels
@@ -59,14 +59,14 @@ def drop_search_path() -> None:
 
 
 def print_any_text() -> None:
-    """Where the terminal cannot show a sign, print a question mark instead of failing."""
+    """Set up printing so that a character the terminal can't encode becomes a question mark instead of an error."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one subcommand and return its exit code."""
+    """Run one subcommand, and return its exit code."""
     if arguments is None:
         drop_search_path()
         answer_tab(build_parser)
@@ -101,7 +101,7 @@ def _run(words: Sequence[str], *, may_leave: bool) -> int:
 def leave(code: int) -> NoReturn:
     """Run the exit functions, then end the process without the interpreter's own shutdown.
 
-    With rclpy and NumPy loaded that shutdown takes 0.1 s, which a student would wait for after each check.
+    With rclpy and NumPy loaded, that shutdown takes 0.1 s, and a student would have to wait for it after each check.
     """
     atexit._run_exitfuncs()
     sys.stdout.flush()

@@ -1,4 +1,4 @@
-"""`workbook new`: a small, whole lesson or exercise to begin with, for authors."""
+"""`workbook new`: create a small but complete lesson or exercise for an author to start from."""
 
 import argparse
 import sys
@@ -7,7 +7,7 @@ from typing import Any
 from workbook.cli import terminal
 
 TEMPLATES = ("publisher", "listener", "service", "function")
-"""Those of `workbook.authoring.skeleton`, which is not imported before it is needed."""
+"""A copy of the names in `workbook.authoring.skeleton`, which is imported only when needed."""
 
 
 def register(subparsers: Any) -> None:
@@ -32,7 +32,10 @@ def register(subparsers: Any) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the files, build what depends on them, say what comes next."""
+    """Write the files, build the notebooks and pages that depend on them, and print the next steps.
+
+    Return the exit code.
+    """
     from workbook.authoring.skeleton import new_exercise, new_lesson
     from workbook.authoring.tree import AuthoringError, Tree
     from workbook.exercise.course import NoCourse, course_folder
@@ -58,13 +61,14 @@ def run(options: argparse.Namespace) -> int:
             f"The notebook is not built: {missing}. `make notebooks` installs what authors need and builds it."
         )
         return 0
-    if build(tree, say=lambda words: None if words.startswith("as it was") else print(words)):
+    if build(tree, say=lambda words: None if words.startswith("unchanged") else print(words)):
         print("workbook new: not everything could be built; see above", file=sys.stderr)
         return 1
     stem = files[0].stem
     if options.what == "exercise" and not any(other[:2] == stem[:2] for other in tree.lesson_stems()):
         print(f"Next: `workbook new lesson {stem}`, because each exercise has a lesson that leads to it.")
     print(
-        "`make notebooks-check ARGS=--notes` lists what is still the template's. CONTRIBUTING.md explains it."
+        "`make notebooks-check ARGS=--notes` lists the lines that still come from the template. "
+        "CONTRIBUTING.md explains it."
     )
     return 0

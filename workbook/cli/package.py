@@ -1,4 +1,4 @@
-"""`workbook package`: what Gradescope or a class repository needs to run this judge."""
+"""`workbook package`: build the students' edition, and the files that Gradescope or a class repository needs."""
 
 import argparse
 import os
@@ -9,7 +9,7 @@ from workbook.cli import terminal
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    """Add the subcommand with its places."""
+    """Add the subcommand with an action for each destination."""
     parser = subparsers.add_parser(
         "package",
         help="for instructors: the students' edition, an autograder for Gradescope, a class repository",
@@ -51,7 +51,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run_students(options: argparse.Namespace) -> int:
-    """Write the students' edition."""
+    """Write the students' edition. Return the exit code."""
     from workbook.exercise.course import course_folder
     from workbook.grading.students_edition import students_edition
 
@@ -59,7 +59,7 @@ def run_students(options: argparse.Namespace) -> int:
         edition = students_edition(course_folder(), options.out)
         removed = f", {len(edition.removed)} of an earlier edition removed" if edition.removed else ""
         print(f"Written: {options.out} ({len(edition.files)} files{removed}), the students' edition.")
-        print("It holds no solution, no right or wrong answer, and no page for instructors.")
+        print("It holds no solution, no right or wrong answer, nor any page for instructors.")
         print("Try it before you give it away: make test, in that folder.")
         return 0
 
@@ -67,7 +67,7 @@ def run_students(options: argparse.Namespace) -> int:
 
 
 def run_gradescope(options: argparse.Namespace) -> int:
-    """Write the zip file of an autograder."""
+    """Write an exercise's autograder for Gradescope as a zip file. Return the exit code."""
     from workbook.exercise.course import course_folder
     from workbook.exercise.definition import OWN_CRITERIA, load_exercise, own_criteria
     from workbook.grading.packaging import CannotPackage, gradescope_zip
@@ -95,7 +95,7 @@ def run_gradescope(options: argparse.Namespace) -> int:
 
 
 def run_github(options: argparse.Namespace) -> int:
-    """Write the workflow into a class repository."""
+    """Write a GitHub Actions workflow into a class repository. Return the exit code."""
     from workbook.exercise.course import course_folder
     from workbook.exercise.definition import load_exercise
     from workbook.grading.packaging import classroom_workflow, commit_of, origin_of
@@ -113,7 +113,7 @@ def run_github(options: argparse.Namespace) -> int:
 
 
 def _run(work: "Callable[[], int]") -> int:
-    """Run a command; an expected error becomes one line."""
+    """Run an action, and return its exit code. Print an expected error as a message, and return 2."""
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria
     from workbook.exercise.source import SourceError, UnknownExercise

@@ -1,4 +1,4 @@
-"""The parser of the `workbook` command: argparse, with help in groups and errors in plain sentences."""
+"""The parser of the `workbook` command: argparse with grouped help and error messages in plain sentences."""
 
 import argparse
 import re
@@ -9,23 +9,23 @@ from typing import Any, NoReturn
 from workbook.cli import terminal
 
 Groups = Sequence[tuple[str, Sequence[str]]]
-"""Headings of a help page with the commands that stand below each."""
+"""Headings of a help page, each with the commands to list below it."""
 _PLACE = 4
 _ARGUMENT = re.compile(r"argument (?P<name>\S+): (?P<what>.*)", re.DOTALL)
 _CHOICE = re.compile(r"invalid choice: '?(?P<word>.*?)'? \(choose from")
 
 
 class _Narrow(argparse.HelpFormatter):
-    """Fits the terminal, and 80 columns in any case."""
+    """Formats help to fit the terminal, in at most 80 columns."""
 
     def __init__(self, prog: str, **options: Any) -> None:
         super().__init__(prog, **{"max_help_position": 22, "width": terminal.width() - 1, **options})
 
 
 class CommandParser(argparse.ArgumentParser):
-    """A parser for a command and the commands below it.
+    """A parser for a command and its subcommands.
 
-    After parsing, `options.command` is the parser of the innermost command, also where its own commands were left out.
+    After parsing, `options.command` is the parser of the innermost command that was typed.
     """
 
     def __init__(self, *args: Any, groups: Groups = (), **options: Any) -> None:
@@ -36,27 +36,27 @@ class CommandParser(argparse.ArgumentParser):
         self.set_defaults(command=self)
 
     def add_subparsers(self, **options: Any) -> Any:
-        """As argparse has it; a command that was left out is no error of the parser."""
+        """Add subparsers as argparse does, except that a missing subcommand isn't a parser error."""
         self._below = super().add_subparsers(**{**options, "required": False})
         return self._below
 
     @property
     def below(self) -> dict[str, "CommandParser"]:
-        """The commands below this one, by name."""
+        """The subcommands' parsers, keyed by name."""
         return {} if self._below is None else dict(self._below.choices)
 
     @property
     def briefly(self) -> dict[str, str]:
-        """What each command below this one does, in a few words."""
+        """The short description of each subcommand, keyed by name."""
         return {} if self._below is None else {one.dest: one.help for one in self._below._get_subactions()}
 
     @property
     def arguments(self) -> list[argparse.Action]:
-        """Its own options and places, without the commands below."""
+        """The command's own options and positional arguments, without its subcommands."""
         return [action for action in self._actions if action is not self._below]
 
     def format_usage(self) -> str:
-        """The line to type, without the options that may be left out."""
+        """Return the usage line, without listing the optional options."""
         self.usage = self._line_to_type()
         return super().format_usage()
 
@@ -74,7 +74,7 @@ class CommandParser(argparse.ArgumentParser):
         return terminal.wrapped(" ".join(words), " " * len("usage: ")).lstrip().replace("%", "%%")
 
     def format_help(self) -> str:
-        """The help page; commands stand in groups where there are some."""
+        """Return the help page. If the parser has groups, list the commands by group."""
         self.usage = self._line_to_type()
         if not self.groups:
             return super().format_help()
@@ -85,7 +85,7 @@ class CommandParser(argparse.ArgumentParser):
         return "\n".join([*page, ""])
 
     def _complete_groups(self) -> Groups:
-        """The groups, and a last one for commands that are in none."""
+        """Return the groups that have commands, followed by a group of the remaining commands."""
         named = {name for _, names in self.groups for name in names}
         there = self.briefly
         groups = [(heading, [name for name in names if name in there]) for heading, names in self.groups]
@@ -99,7 +99,7 @@ class CommandParser(argparse.ArgumentParser):
         return f"{margin}{name.ljust(column - _PLACE)}{text[column:]}".split("\n")
 
     def error(self, message: str) -> NoReturn:
-        """End with what is wrong and what to do, in sentences."""
+        """Print what is wrong and what to do, in sentences, and exit with code 2."""
         what = f"{self._in_words(message).rstrip('.')}"
         end = "" if what.endswith("?") else "."
         lines = [f"{self.prog}: {what}{end}"]
@@ -128,7 +128,7 @@ class CommandParser(argparse.ArgumentParser):
         return f"there is no {kind} {chosen['word']}. There is: {', '.join(names)}"
 
     def refuse(self, rest: Sequence[str]) -> NoReturn:
-        """End because of arguments that this command does not take."""
+        """Exit with an error message about arguments that this command doesn't take."""
         first = rest[0]
         options = [option for action in self.arguments for option in action.option_strings]
         guess = terminal.meant(first.partition("=")[0], options) if first.startswith("-") else ""
@@ -136,7 +136,7 @@ class CommandParser(argparse.ArgumentParser):
 
 
 def _name_of(action: argparse.Action) -> str:
-    """What argparse calls an action in an error."""
+    """Return the name that argparse uses for an action in error messages."""
     if action.option_strings:
         return "/".join(action.option_strings)
     return action.metavar if isinstance(action.metavar, str) else action.dest
@@ -147,13 +147,13 @@ def _is_required_option(action: argparse.Action) -> bool:
 
 
 def _place(action: argparse.Action) -> str:
-    """A place of the line to type; in brackets if it may stay empty."""
+    """Return a positional argument for the usage line, in brackets if it's optional."""
     name = _name_of(action)
     return {"?": f"[{name}]", "*": f"[{name} ...]", "+": f"{name} ..."}.get(str(action.nargs), name)
 
 
 def show_what_is_below(parser: CommandParser) -> int:
-    """For a command that was typed without the command below it: say which there are. Returns the exit code."""
+    """List the subcommands of a command that was typed without one. Return the exit code."""
     if parser.groups:
         print(parser.format_help(), end="")
         return 0

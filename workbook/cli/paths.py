@@ -1,4 +1,4 @@
-"""Where a student's files are, from wherever the command was typed: the course's folder, `work/`, or below it."""
+"""Find a student's files from any current folder: the course's folder, `work/`, or a folder below it."""
 
 import os
 from pathlib import Path
@@ -7,10 +7,10 @@ ANSWERS_VARIABLE = "WORKBOOK_ANSWERS"
 
 
 def student_answers() -> Path:
-    """The folder of the student's answers, whether it exists or not; the rest of this process looks there, too.
+    """Return the folder of the student's answers, which may not exist yet. Set it for the rest of this process, too.
 
-    It is the folder that the environment names, else `answers/` of the work folder that one stands in, else that of the
-    course's `work/`. Raises NoCourse.
+    That's the folder in WORKBOOK_ANSWERS, else `answers/` in the current work folder, else the one in the course's
+    `work/`. Raises NoCourse.
     """
     from workbook.exercise.answer_files import ANSWERS, answers_folder
     from workbook.exercise.course import course_folder
@@ -18,7 +18,8 @@ def student_answers() -> Path:
 
     folder = answers_folder()
     if not os.environ.get(ANSWERS_VARIABLE):
-        # An `answers` folder of the course itself is an instructor's, who grades it. One above it is another's.
+        # An `answers` folder in the course itself contains hand-ins for an instructor to grade. One above the course
+        # belongs to something else.
         course = course_folder().resolve()
         if not folder.is_dir() or folder.parent.resolve() in (course, *course.parents):
             folder = student_folder() / ANSWERS
@@ -27,6 +28,6 @@ def student_answers() -> Path:
 
 
 def as_typed(path: Path) -> str:
-    """A path as one would type it here: relative where that is shorter."""
+    """Return a path as a user would type it: relative to the current folder if that's shorter."""
     relative = os.path.relpath(path)
     return relative if len(relative) < len(str(path)) else str(path)

@@ -1,4 +1,4 @@
-"""`workbook progress`: what a student has done so far."""
+"""`workbook progress`: show a student's progress."""
 
 import argparse
 from typing import Any
@@ -10,14 +10,14 @@ def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "progress",
-        help="what you have read, predicted and solved so far",
-        description="Show what you have read, predicted and solved so far.",
+        help="your progress: lessons read, predictions made, exercises solved",
+        description="Show your progress: lessons read, predictions made, exercises solved.",
     )
     parser.set_defaults(run=run)
 
 
 def run(_options: argparse.Namespace) -> int:
-    """Print the table."""
+    """Print the progress table. Return the exit code."""
     from workbook.cli.paths import student_answers
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria

@@ -1,4 +1,4 @@
-"""`workbook replay`: what happened in a report that a student has sent."""
+"""`workbook replay`: show the contents of a report that a student has sent, without running anything in it."""
 
 import argparse
 import sys
@@ -25,7 +25,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """Show the report. Returns 2 when the file is none."""
+    """Show the report. Return the exit code: 2 if it can't be read or judged, else 0."""
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.exercise.source import SourceError, stems

@@ -1,4 +1,4 @@
-"""`workbook report`: an answer, its last recording, and the doctor's report in one file, for somebody who helps."""
+"""`workbook report`: write an answer, its last recording, and the doctor's report to one file for an instructor."""
 
 import argparse
 from pathlib import Path
@@ -23,7 +23,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the report. Returns 2 when there is no answer to report on."""
+    """Write the report. Return the exit code: 2 if there is no answer to report on, or the report can't be written."""
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import UnknownExercise, find
@@ -57,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _sha256(file: Path, stem: str) -> str:
-    """The hash of the answer; empty for one that cannot be judged. It is reported all the same."""
+    """Return the answer's hash; "" if it can't be judged, because a report may include such an answer, too."""
     from workbook.exercise.answers import Ungradable, read_answer
 
     try:
@@ -67,7 +67,7 @@ def _sha256(file: Path, stem: str) -> str:
 
 
 def doctor_lines() -> tuple[str, ...]:
-    """The doctor's findings, one a line: a broken line could hide a part of a path from what takes paths out."""
+    """Return the doctor's findings, one per line. Wrapping could split a path, which then wouldn't be redacted."""
     from workbook.lab.health import examine
 
     return tuple(f"{one.status:<5} {one.title}: {one.saw} {one.todo}".rstrip() for one in examine())

@@ -1,4 +1,4 @@
-"""`workbook student`: what a gradebook holds about one student is listed, exported, or erased."""
+"""`workbook student`: list, export, or erase everything that a gradebook contains about one student."""
 
 import argparse
 from pathlib import Path
@@ -34,7 +34,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             action="append",
             default=[],
             type=Path,
-            help="a list of your own that names students: aliases, extensions, appeals. May be given several times",
+            help="one of your lists that name students: aliases, extensions, appeals. May be given several times",
         )
         if name == "export":
             action.add_argument("--to", metavar="FILE.zip", required=True, type=Path, help="a new file")
@@ -42,7 +42,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """List, export or erase. Returns 2 when the gradebook cannot be read or knows no such student."""
+    """List, export, or erase. Return the exit code: 2 if the gradebook can't be read or lacks the student, else 0."""
     from workbook.grading.one_student import NotErasable, erase, export, holdings
     from workbook.grading.roster import BadOption
 

@@ -1,4 +1,4 @@
-"""What all commands share in a terminal: how wide a line may be, colors, sentences that wrap, likely meanings."""
+"""Terminal helpers that all commands share: line width, colors, wrapping, and suggestions for misspelled names."""
 
 import difflib
 import os
@@ -14,17 +14,17 @@ _CODE_SPACE = "\xa0"
 
 
 def width() -> int:
-    """The columns that a line may take: those of the terminal, 80 at most."""
+    """Return the number of columns that a line may use: the terminal's width, but at least 40 and at most 80."""
     return max(NARROWEST, min(WIDEST, shutil.get_terminal_size().columns))
 
 
 def in_color(stream: TextIO) -> bool:
-    """Whether to print colors there."""
+    """Return whether to print colors on a stream: only on a terminal, and only without NO_COLOR."""
     return stream.isatty() and "NO_COLOR" not in os.environ
 
 
 def wrapped(text: str, indent: str = "", columns: int | None = None) -> str:
-    """Each line of a text, broken to fit. What stands between backticks stays together if it fits on a line."""
+    """Wrap each line of a text. Code between backticks stays together if it fits on a line."""
     return "\n".join(
         _wrapped_line(line, indent, width() if columns is None else columns) for line in text.split("\n")
     )
@@ -32,8 +32,8 @@ def wrapped(text: str, indent: str = "", columns: int | None = None) -> str:
 
 def _wrapped_line(line: str, indent: str, columns: int) -> str:
     parts = line.split("`")
-    if len(parts) % 2:  # every backtick has its partner
-        room = columns - len(indent) - 3  # two backticks, and a sign that follows
+    if len(parts) % 2:  # the backticks are balanced
+        room = columns - len(indent) - 3  # for two backticks and a punctuation mark
         parts[1::2] = [part.replace(" ", _CODE_SPACE) if len(part) <= room else part for part in parts[1::2]]
     broken = textwrap.fill(
         "`".join(parts),
@@ -47,18 +47,18 @@ def _wrapped_line(line: str, indent: str, columns: int) -> str:
 
 
 def say(text: str, stream: TextIO | None = None) -> None:
-    """Print sentences so that they fit. In a file or a pipe, lines are not broken."""
+    """Print sentences, wrapped to the terminal's width. Don't wrap them in a file or a pipe, unless COLUMNS is set."""
     stream = stream or sys.stdout
     fits = stream.isatty() or "COLUMNS" in os.environ
     print(wrapped(text) if fits else text, file=stream, flush=True)
 
 
 def complain(command: str, problem: object) -> None:
-    """Say on standard error what is wrong, after the command that says it."""
+    """Print a problem to standard error, prefixed with the name of the command."""
     say(f"workbook {command}: {problem}", sys.stderr)
 
 
 def meant(word: str, known: Iterable[str], cutoff: float = 0.6) -> str:
-    """A question for the name that was probably meant; empty when none is similar."""
+    """Return a question that suggests the name that was probably meant; "" if no known name is similar."""
     near = difflib.get_close_matches(word, list(known), n=1, cutoff=cutoff)
     return f"Did you mean {near[0]}?" if near else ""

@@ -1,4 +1,4 @@
-"""A judgement as the `check` command prints it, and the exit codes that go with it."""
+"""Format a judgment for `workbook check`, and define its exit codes."""
 
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ FULL_MARKS, NOT_YET, NOT_JUDGED = 0, 1, 2
 
 
 def verdict_text(judgement: "Judgement", color: bool) -> str:
-    """The judgement, as wide as the terminal is."""
+    """Return the judgment as text that fits the terminal's width."""
     from workbook.feedback import wording
     from workbook.feedback.text import as_text
 

@@ -1,4 +1,4 @@
-"""What an exercise is, and the way from an answer to a judgement: run it, record it, judge the recording.
+"""Define an exercise, and turn an answer into a judgment: run it, record it, judge the recording.
 
-The layers above import `definition` (an exercise), `answers` (what is handed in), `judging` and `source`.
+The layers above import `definition` (an exercise), `answers` (hand-ins), `judging`, and `source`.
 """

@@ -1,4 +1,4 @@
-"""The student's answer files: where they are, and how a cell is saved as one without losing anything."""
+"""Find the student's answer files, and save a cell to one without losing anything."""
 
 import os
 from dataclasses import dataclass
@@ -6,11 +6,11 @@ from pathlib import Path
 
 ANSWERS = "answers"
 KEPT_VERSIONS = 50
-"""Earlier versions of one answer: an afternoon of changes, at some kilobytes each."""
+"""Earlier versions of one answer: enough for an afternoon of changes, at a few kilobytes each."""
 
 
 def answers_folder() -> Path:
-    """Where answers are written: WORKBOOK_ANSWERS, or `answers/` in the student's work folder, or here."""
+    """Return the folder for answers: WORKBOOK_ANSWERS, `answers/` in the student's work folder, or `answers/` here."""
     named = os.environ.get("WORKBOOK_ANSWERS")
     if named:
         return Path(named)
@@ -22,13 +22,13 @@ def answers_folder() -> Path:
 
 
 def answer_file(stem: str) -> Path:
-    """The file of the student's answer to an exercise, whether it exists or not."""
+    """Return the path of the student's answer to an exercise, whether or not it exists."""
     return answers_folder() / f"{stem}.py"
 
 
 @dataclass(frozen=True)
 class Saved:
-    """What became of a cell: the file, and whether it was new, changed, unchanged or refused (starter)."""
+    """The outcome of saving a cell: the file, and whether it was new, changed, unchanged, or refused (starter)."""
 
     path: Path
     outcome: str
@@ -36,7 +36,7 @@ class Saved:
 
 
 def same_program(one: str, other: str) -> bool:
-    """Whether two texts are the same but for spaces at the ends of lines and blank lines at both ends."""
+    """Return whether two texts differ only in trailing spaces and in blank lines at the beginning and end."""
     return [line.rstrip() for line in one.strip().splitlines()] == [
         line.rstrip() for line in other.strip().splitlines()
     ]
@@ -55,9 +55,9 @@ def _put_aside(path: Path) -> Path:
 
 
 def save_answer(stem: str, text: str, starter: str) -> Saved:
-    """Write a cell to its answer file; the version before it is kept in `.previous/`.
+    """Write a cell to its answer file, and keep the previous version in `.previous/`.
 
-    A cell that still holds the starter never replaces an answer that was changed.
+    A cell that still contains the starter never replaces an answer that was changed.
     """
     path = answer_file(stem)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -67,7 +67,7 @@ def save_answer(stem: str, text: str, starter: str) -> Saved:
         return Saved(path, "new")
     current = path.read_text(encoding="utf-8", errors="replace")
     if same_program(current, text):
-        os.utime(path)  # its time is when the student last ran it
+        os.utime(path)  # the file's time records when the student last ran it
         return Saved(path, "unchanged")
     if same_program(text, starter):
         return Saved(path, "refused")
@@ -83,7 +83,7 @@ def _write(path: Path, text: str) -> None:
 
 
 def replace_answer(stem: str, text: str, folder: Path | None = None) -> Saved:
-    """Make this the answer, such as the starter or an earlier version; the answer so far is kept in `.previous/`."""
+    """Replace the answer, for example with the starter or an earlier version. The current one goes to `.previous/`."""
     path = (folder or answers_folder()) / f"{stem}.py"
     path.parent.mkdir(parents=True, exist_ok=True)
     previous = _put_aside(path) if path.exists() else None

@@ -1,4 +1,4 @@
-"""Answers as they are handed in: a program, or the answer cell of a notebook."""
+"""Read answers as they are handed in: a program, or a notebook's answer cell."""
 
 import ast
 import hashlib
@@ -17,7 +17,7 @@ from workbook.exercise.notebook_cells import named_exercise as named_exercise
 from workbook.recording.codec import NOT_STORED
 
 LARGEST_ANSWER_BYTES = 1_000_000
-"""A hundred times a long answer; more is no program that a person wrote."""
+"""A hundred times the size of a long answer. A person doesn't write a larger program."""
 ANSWER_MAGIC = "%%answer"
 ZERO_BYTES = (
     "the file contains null bytes, so it is not a Python program. Delete them and save the file as UTF-8"
@@ -27,14 +27,14 @@ _NUMBER = re.compile(r"(?<![\w.])\d{1,3}(?![\w.])")
 
 
 class Ungradable(ValueError):
-    """This file cannot be judged; the message says why and what was found instead."""
+    """A file that can't be judged. The message gives the reason and describes the file's actual content."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """The program of one answer and the SHA-256 of it.
+    """The program in one answer, and its SHA-256.
 
-    `note`: what else the notebook holds that may have been meant, as a sentence.
+    `note`: a sentence on other content in the notebook that may have been meant as the answer.
     """
 
     text: str
@@ -48,7 +48,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class SyntaxMistake:
-    """Where Python stopped reading: line and column (from 1), the line's text and Python's message."""
+    """Where Python stopped reading: line and column (from 1), the line's text, and Python's message."""
 
     line: int
     column: int
@@ -57,7 +57,7 @@ class SyntaxMistake:
 
 
 def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
-    """The first syntax error of a program, or None."""
+    """Return the first syntax error in a program, or None."""
     try:
         ast.parse(text, name)
     except SyntaxError as error:
@@ -72,7 +72,7 @@ def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
 
 
 def read_program(raw: bytes) -> str:
-    """Decode a Python file as Python does (byte order mark, coding line). Raises Ungradable."""
+    """Decode a Python file like Python does (byte order mark, coding line). Raises Ungradable."""
     kind = binary_kind(raw)
     if kind is not None:
         raise Ungradable(f"the file is {kind} and not a program. Hand in the program itself, as plain text")
@@ -89,12 +89,18 @@ def read_program(raw: bytes) -> str:
 
 
 def with_line_feeds(text: str) -> str:
-    """The same lines, each ended as on Linux. Python ends one at a carriage return, too, and most tools do not."""
+    """Return the text with Linux line endings.
+
+    Python also ends a line at a lone carriage return, but most tools don't.
+    """
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _as_utf8(text: str) -> str:
-    """The same program, fit to be written as UTF-8: a coding line that says otherwise is put right."""
+    """Return the program ready to be saved as UTF-8: a different encoding in its coding line is replaced.
+
+    Raises Ungradable for a lone surrogate, which can't be saved.
+    """
     try:
         text.encode()
     except UnicodeEncodeError as error:
@@ -108,7 +114,7 @@ def _as_utf8(text: str) -> str:
 
 
 def answer_in_notebook(path: Path, stem: str) -> Answer:
-    """The program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable, OSError."""
+    """Return the program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable, OSError."""
     found = answer_cells(path, stem)
     if "problem" in found:
         raise Ungradable(found["problem"])
@@ -132,7 +138,7 @@ def answer_in_notebook(path: Path, stem: str) -> Answer:
 
 
 def _note(found: dict[str, Any], stem: str) -> str:
-    """What the notebook holds besides the answer that counts; empty if nothing else looks like a part of it."""
+    """Return a note on other cells that look like part of the answer; empty if there are none."""
     *others, last = found["answers"]
     if others:
         cells = " and ".join(map(str, found["answers"]))
@@ -146,7 +152,7 @@ def _note(found: dict[str, Any], stem: str) -> str:
 
 
 def exercises_named(path: Path) -> list[str]:
-    """The exercises that a notebook or a program names in `%%answer` lines, in order; empty if none."""
+    """Return the exercises that a notebook or program names in `%%answer` lines, in order; empty if there are none."""
     try:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return []
@@ -160,7 +166,10 @@ def exercises_named(path: Path) -> list[str]:
 
 
 def _program_in(path: Path, stem: str) -> str:
-    """The text of a .py file, or the answer in it where it is a notebook by another name, or exported from one."""
+    """Return the text of a .py file.
+
+    If it's a renamed notebook, or was exported from one, return the answer in it.
+    """
     text = read_program(path.read_bytes())
     if text.lstrip().startswith("{") and re.search(r'"(cells|worksheets)"\s*:', text):
         return with_line_feeds(answer_in_notebook(path, stem).text)
@@ -171,7 +180,7 @@ def _program_in(path: Path, stem: str) -> str:
 def read_answer(path: Path, stem: str) -> Answer:
     """Read an answer to exercise `stem` from a .py or .ipynb file.
 
-    Raises Ungradable with a sentence for the student when the file cannot be an answer, OSError when unreadable.
+    Raises Ungradable, with a sentence for the student, if the file can't be an answer, and OSError if it's unreadable.
     """
     if not path.exists() and not path.is_symlink():
         raise Ungradable(f"there is no file {path}")
@@ -211,6 +220,6 @@ def read_answer(path: Path, stem: str) -> Answer:
 
 
 def domains_named(text: str) -> frozenset[int]:
-    """Numbers in the lines of a program that are about domains: one of them may be a ROS domain of its own choice."""
+    """Return the numbers in a program's lines about domains, any of which may become its ROS domain."""
     lines = (line for line in text.splitlines() if "domain" in line.lower())
     return frozenset(int(number) for line in lines for number in _NUMBER.findall(line))

@@ -1,4 +1,4 @@
-"""Where the course is: its exercises, criteria and solutions. And which version of it this is."""
+"""Locate the course (its exercises, criteria, and solutions), and identify its version."""
 
 import hashlib
 import os
@@ -6,24 +6,27 @@ from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 IN_A_WHEEL = "course"
-"""Folder of the package that holds the course in a wheel. In a clone, the course surrounds the package."""
-_JUDGED_WITH = (".py", ".pyi", ".xml", ".ini")
-"""Code, stubs that mypy reads, the DDS profile and mypy's settings. Pictures and pages change no verdict."""
+"""The folder in the package that contains the course in a wheel. In a clone, the course surrounds the package."""
+_JUDGED_WITH = (".py", ".toml", ".pyi", ".xml", ".ini")
+"""Code, feedback texts, mypy stubs and settings, and the DDS profile.
+
+Figures and pages don't affect a judgment.
+"""
 
 
 class NoCourse(RuntimeError):
-    """The folder of the course was not found."""
+    """The course folder wasn't found."""
 
 
 def is_from_wheel() -> bool:
-    """Whether the package was installed from a wheel, which carries the course, rather than from a clone."""
+    """Return whether the package was installed from a wheel, which includes the course, rather than from a clone."""
     return (_PACKAGE / IN_A_WHEEL).is_dir()
 
 
 def course_folder() -> Path:
-    """The folder that holds `exercises/` and `solutions/`.
+    """Return the folder that contains `exercises/` and `solutions/`.
 
-    WORKBOOK_COURSE names it. Otherwise, it is the wheel's own copy, or the clone that the package was installed from.
+    WORKBOOK_COURSE overrides the default: the wheel's own copy, or the clone that the package was installed from.
     Raises NoCourse.
     """
     named = os.environ.get("WORKBOOK_COURSE")
@@ -38,7 +41,7 @@ def course_folder() -> Path:
 
 
 def course_sha256() -> str:
-    """One hash of what a judgement depends on besides the answer: the judge, the criteria, drivers and solutions."""
+    """Return one hash of everything except the answer that affects a judgment: judge, criteria, drivers, solutions."""
     course = course_folder()
     digest = hashlib.sha256()
     folders = [course / "exercises" / "criteria", course / "exercises" / "drivers", course / "solutions"]

@@ -1,4 +1,4 @@
-"""An exercise as the judge needs it: its criteria, what to watch, and its text."""
+"""Define an exercise from the judge's point of view: its criteria, the plan for watching, and its text."""
 
 import hashlib
 import importlib.util
@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from workbook.criteria.criterion import (
     Criterion,
@@ -18,20 +19,22 @@ from workbook.criteria.criterion import (
     topics_in,
     watching_in,
 )
+from workbook.criteria.rules import refuse_leftovers
 from workbook.criteria.vocabulary.type_checks import probes_in
 from workbook.exercise.course import course_folder
+from workbook.exercise.judged_numbers import with_judged_numbers
 from workbook.exercise.source import ExerciseSource, driver_of, find, load
 from workbook.recording.plan import Plan
 
 OWN_CRITERIA = "WORKBOOK_CRITERIA"
-"""Variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside of the course."""
+"""The variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside the course."""
 
 FIRST_SEED = 0
-"""What a script is drawn from as long as no run has drawn its own: then its topics and services are known."""
+"""The script's seed until a run draws its own, so that the script's topics and services are known."""
 
 
 class BrokenCriteria(RuntimeError):
-    """The criteria of an exercise cannot be used. The message says why."""
+    """An exercise's criteria can't be used. The message says why."""
 
 
 def _import(path: Path) -> ModuleType:
@@ -43,6 +46,7 @@ def _import(path: Path) -> ModuleType:
     sys.modules[name] = module
     try:
         spec.loader.exec_module(module)
+        refuse_leftovers(module)
     except Exception as error:
         raise BrokenCriteria(f"{path}: {error!r}") from error
     return module
@@ -50,12 +54,13 @@ def _import(path: Path) -> ModuleType:
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise as the judge needs it.
+    """One exercise from the judge's point of view.
 
-    `criteria` are in order, `plan` is the watch that they need, and `periods` are the judged periods (s) by topic.
-    `to_the_end`: the program's end is judged as well. `driver`: what calls the functions of an answer that is no
-    program. `probes`: by name, code that uses an answer and is read by the type checker together with it. `watching`:
-    what the plan was made of. `signed`: the topics on which only what the driver has signed counts.
+    `criteria` are in order, `plan` says how to watch for them, and `periods` are the judged periods (s) by topic.
+    `to_the_end`: the program's end is judged as well. `driver`: the program that calls an answer's functions, if the
+    answer isn't a program. `probes`: code that uses an answer, by name; the type checker reads it along with the
+    answer. `watching`: the settings that the plan was made from. `signed`: the topics on which only messages signed by
+    the driver count. `constants`: the criteria file's constants with uppercase names.
     """
 
     stem: str
@@ -69,27 +74,31 @@ class Exercise:
     probes: Mapping[str, str] = field(default_factory=dict)
     watching: Watching = field(default_factory=Watching)
     signed: tuple[str, ...] = ()
+    constants: Mapping[str, Any] = field(default_factory=dict)
 
     @cached_property
     def source(self) -> ExerciseSource:
-        """Title, hints, starter and solution."""
-        return load(self.solution_path)
+        """The title, task, hints, starter, and solution. The task states the judge's numbers."""
+        return with_judged_numbers(load(self.solution_path), {**self.constants, "plan": self.plan})
 
     @property
     def max_points(self) -> float:
-        """The sum of all criteria, hidden ones included."""
+        """The points for all criteria, including hidden ones."""
         return sum(criterion.points for criterion in self.criteria)
 
     def drawn(self, seed: int) -> "Exercise":
-        """The exercise with the script of one run, drawn from `seed`; itself if its script is the same in each."""
+        """Return the exercise with the script for one run, drawn from `seed`.
+
+        Return the exercise itself if its script is fixed.
+        """
         plan = self.watching.drawn(self.plan, seed)
         return self if plan is self.plan else replace(self, plan=plan)
 
 
 def load_exercise(name: str, course: Path | None = None) -> Exercise:
-    """Find an exercise by stem ("09_joint_positions") or slug ("joint_positions").
+    """Load an exercise by stem ("09_joint_positions") or slug ("joint_positions").
 
-    Raises UnknownExercise when there is none of this name, BrokenCriteria when its criteria do not import.
+    Raises UnknownExercise if there is no such exercise, and BrokenCriteria if its criteria can't be imported.
     """
     folder = course_folder() if course is None else course
     solution = find(folder / "solutions", name)
@@ -105,14 +114,14 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     except ValueError as error:
         raise BrokenCriteria(f"{path}: {error}") from error
     driver = driver_of(solution)
-    files = [path] if driver is None else [path, driver]
+    files = [path, *_words_of(path), *(() if driver is None else (driver,))]
     topics, how = topics_in(module), watching_in(module)
     own = own_criteria(solution.stem)
     if own is not None:
         more = _import(own)
         criteria += tuple(replace(one, hidden=True) for one in criteria_in(more))
         topics += tuple(one for one in topics_in(more) if one.name not in {known.name for known in topics})
-        files.append(own)
+        files += [own, *_words_of(own)]
     try:
         plan = how.drawn(plan_for(topics, how), FIRST_SEED)
     except Exception as error:
@@ -129,18 +138,27 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         probes=probes,
         watching=how,
         signed=tuple(one.name for one in topics if one.signed),
+        constants={name: value for name, value in vars(module).items() if name.isupper()},
     )
 
 
 def own_criteria(stem: str) -> Path | None:
-    """The instructor's own criteria for this exercise, kept outside of the course. They are always hidden."""
+    """Return the path of the instructor's own criteria for this exercise; None if there are none.
+
+    They are kept outside the course, and are always hidden.
+    """
     folder = os.environ.get(OWN_CRITERIA)
     path = Path(folder) / f"{stem}.py" if folder else None
     return path if path is not None and path.is_file() else None
 
 
+def _words_of(criteria: Path) -> list[Path]:
+    path = criteria.with_suffix(".toml")
+    return [path] if path.is_file() else []
+
+
 def _sum_of(files: Sequence[Path]) -> str:
-    """What the judgement depends on: another driver is another exercise."""
+    """Return the hash of the files that affect a judgment. They include the driver, if any."""
     digest = hashlib.sha256()
     for path in files:
         digest.update(path.read_bytes())

@@ -1,6 +1,6 @@
-"""Starts an answer before the judge is imported: each takes a third of a second, and this way they overlap.
+"""Start an answer before importing the judge: each takes a third of a second, and this way they overlap.
 
-Imports nothing that needs ROS, so that it can run first.
+This module imports nothing that needs ROS, so that it can run first.
 """
 
 from pathlib import Path
@@ -15,7 +15,7 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 
 
 def write_program(folder: Path, stem: str, answer: Answer) -> Path:
-    """Put the answer as a program file into `folder`."""
+    """Write the answer to `folder` as a program file, and return its path."""
     program = folder / f"{stem}.py"
     program.write_text(answer.text, encoding="utf-8")
     return program
@@ -24,8 +24,8 @@ def write_program(folder: Path, stem: str, answer: Answer) -> Path:
 class StartedAnswer:
     """An answer that runs on a leased domain and waits to be watched.
 
-    Where an exercise is judged on the wall clock from the start, the program is not started yet (`process` is None), so
-    that the judge sees it from its first moment. Leaving the `with` block ends the program unless a judge took it over.
+    If an exercise is judged on the wall clock from the start, the program isn't started yet (`process` is None).
+    So the judge sees it from its first moment. Leaving the `with` block ends the program unless a judge took it over.
     """
 
     def __init__(self, source: ExerciseSource, answer: Answer) -> None:

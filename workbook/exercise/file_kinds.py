@@ -1,4 +1,4 @@
-"""Tells files that are called like a program, and hold something else: what they are, or the program inside."""
+"""Recognize files that are named like a program but aren't one: find their kind, or the program inside."""
 
 import ast
 import re
@@ -39,12 +39,15 @@ _COMMAND = re.compile(r"\s*(!\s*[\w./]|%{1,2}[a-z]\w*(\s|$))")
 
 
 def binary_kind(raw: bytes) -> str | None:
-    """What a file is by its first bytes, where that is no text; None if it may be a program."""
+    """Return the kind of a file whose first bytes aren't text; None if it may be a program."""
     return next((kind for start, kind in _BINARY.items() if raw.startswith(start)), None)
 
 
 def kind_of(text: str) -> str | None:
-    """What a text is that Python cannot read, as the rest of a sentence; None for a program with a mistake."""
+    """Return the kind of a text that Python can't parse, as the rest of a sentence.
+
+    The result is None if it's a program with a mistake.
+    """
     lines = text.split("\n")
     conflict = next((n for n, line in enumerate(lines, 1) if _CONFLICT.match(line)), None)
     if conflict is not None:
@@ -61,7 +64,7 @@ def kind_of(text: str) -> str | None:
 
 
 def _reads_without(lines: list[str], number: int) -> bool:
-    """Whether Python fails in this line, and not before."""
+    """Return whether the lines before this line are valid Python, so that this line is the problem."""
     try:
         ast.parse("\n".join([*lines[: number - 1], "pass"]))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -70,7 +73,7 @@ def _reads_without(lines: list[str], number: int) -> bool:
 
 
 def exported_answer(text: str, stem: str) -> str | None:
-    """The last answer to `stem` in a notebook that was exported as a script; None where there is none."""
+    """Return the last answer to `stem` in a notebook that was exported as a script; None if there is none."""
     if _HAS_A_CELL_MAGIC not in text:
         return None
     try:

@@ -1,4 +1,4 @@
-"""A judgement: what came out for one answer. Making one of a stored recording runs nothing and needs no ROS."""
+"""Define the judgment of one answer. Judging a stored recording runs no program and needs no ROS."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -14,11 +14,11 @@ JudgementStatus = Literal["graded", "ungradable", "infra_error"]
 
 @dataclass(frozen=True)
 class Judgement:
-    """What came out for one answer.
+    """The result for one answer.
 
-    `provisional`: another judgement, on the wall clock or in another try, is still to come and may differ.
-    `inconclusive_reason`: why points that were lost may be lost without the answer's fault; empty for a conclusive
-    judgement. `end_only`: the doubt is about the program's end alone, and everything else is conclusive.
+    `provisional`: a later judgment, on the wall clock or in another try, may differ.
+    `inconclusive_reason`: why the answer may have lost points without being at fault; empty for a conclusive judgment.
+    `end_only`: only the points for the program's end are inconclusive.
     """
 
     stem: str
@@ -34,19 +34,19 @@ class Judgement:
 
     @property
     def score(self) -> float | None:
-        """The points, hidden criteria included; None when the answer could not be judged."""
+        """The points earned, including hidden criteria; None if the answer couldn't be judged."""
         if self.status != "graded":
             return None
         return round(sum(result.points for result in self.criteria), 6)
 
     @property
-    def is_disturbed(self) -> bool:
+    def is_inconclusive(self) -> bool:
         """Whether the machine or the judge may have cost points, and not only at the program's end."""
         return bool(self.inconclusive_reason) and not self.end_only
 
     @property
     def max_score(self) -> float:
-        """The points that there are, hidden criteria included."""
+        """The maximum points, including hidden criteria."""
         return sum(result.max_points for result in self.criteria)
 
     @property
@@ -66,7 +66,7 @@ def judge_recording(
     provisional: bool = False,
     real_life: bool = False,
 ) -> Judgement:
-    """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
+    """Judge a recording without running anything. If a criterion crashes, the judgment is an `infra_error`."""
     try:
         results = run_criteria(exercise.criteria, only_signed(recording, exercise.signed))
     except CriterionError as error:
@@ -75,5 +75,5 @@ def judge_recording(
 
 
 def judgement_as_provisional(judgement: Judgement) -> Judgement:
-    """The same judgement, marked as not final."""
+    """Return the judgment, marked as not final."""
     return replace(judgement, provisional=True)

@@ -1,7 +1,7 @@
-"""From an answer to a judgement: run it, record it, judge the recording.
+"""Turn an answer into a judgment: run it, record it, judge the recording.
 
-The student's check and the instructor's grade both come through `judge`. The phases that a program goes through are in
-`phases`; what two runs of it mean together is in `two_runs`.
+The student's check and the instructor's grading both use `judge`. `phases` defines the phases of judging a program,
+and `two_runs` combines the results of two runs.
 """
 
 import secrets
@@ -23,11 +23,11 @@ SEED_BITS = 32
 
 
 def _to_nobody(judgement: Judgement) -> None:
-    """The report of whoever wants none."""
+    """Ignore a judgment, for callers that want no reports."""
 
 
 class Judge:
-    """Judges answers to exercises, one after another, from one warm observer."""
+    """Judges answers to exercises, one after another, with one observer that stays ready."""
 
     def __init__(self, observer: Observer, limits: Limits = NO_LIMITS) -> None:
         self._observer = observer
@@ -46,15 +46,14 @@ class Judge:
     ) -> Judgement:
         """Judge one answer.
 
-        `soak`: a program that was judged on simulated time is started again, and watched for eight real seconds, unless
-        `cancel_soak` cuts that short. What it does then must be as before. On the wall clock, it is kept running for as
-        long. `report` receives each judgement that comes before the last one. `started`: this answer, if it runs
-        already on the observer's domain. `seed`: what the script is drawn from, to repeat a run; None: another one each
-        time.
+        `soak`: a program that was judged on simulated time is started again and watched for eight real seconds, unless
+        `cancel_soak` cuts that short. Its behavior must not differ. A program on the wall clock is kept running for
+        that long instead. `report` receives each judgment before the final one. `started`: this answer, if it's already
+        running on the observer's domain. `seed`: the script's seed, for repeating a run; None draws a new seed.
         """
         exercise = exercise.drawn(secrets.randbits(SEED_BITS) if seed is None else seed)
         if started is None:
-            # On the very domain that it names, a program with a domain of its own would be taken for a right one.
+            # if the observer used the domain that the program sets itself, that mistake would go unnoticed
             self._observer.keep_off(domains_named(answer.text))
         folder = scratch_folder("answer") if started is None else started.folder
         process = None if started is None else started.process
@@ -73,11 +72,11 @@ class Judge:
             remove_scratch(folder)
 
     def _through_phases(self, phase: JudgingPhase, process: NodeProcess | None) -> Judgement:
-        """Watch one phase after another, up to the judgement. `process`: the program, if it runs already."""
+        """Watch one phase after another until there is a judgment. `process`: the program, if it's already running."""
         after: JudgingPhase | Judgement = phase
         while not isinstance(after, Judgement):
             spec, plan, clock = after.watched()
             with self._observer.watch(spec, plan, clock, process) as watch:
                 after = after.follow(watch)
-            process = None  # the next phase starts the program anew
+            process = None  # the next phase starts the program again
         return after

@@ -1,6 +1,6 @@
-"""The error museum: what goes wrong in which lesson, with its cause and its fix; and the terms of each lesson.
+"""The error museum: the mistakes in each lesson, with their causes and fixes, and each lesson's terms.
 
-The data is `notebooks/sources/museum/NN_slug.toml`, one file a lesson. Pages and feedback are made from it.
+Its data is in `notebooks/sources/museum/NN_slug.toml`, one file per lesson. Pages and feedback are made from it.
 """
 
 import tomllib
@@ -9,18 +9,18 @@ from pathlib import Path
 from typing import Any
 
 SHORTEST_SYMPTOM_TEXT = 12
-"""Characters. A shorter text occurs in too many outputs to identify an error."""
+"""In characters. A shorter text occurs in too many outputs to identify an error."""
 
 
 class BrokenMuseum(ValueError):
-    """A file of the museum cannot be used. The message says where and why."""
+    """A museum file can't be used. The message says where and why."""
 
 
 @dataclass(frozen=True)
 class Exhibit:
-    """One thing that goes wrong: `symptom` as a student meets it, `shows` as the cell `cell` of `lesson` prints it.
+    """One mistake: its `symptom` for a student, and `shows`, the output of the cell `cell` in `lesson`.
 
-    `numbers`: which entries of the list of beginners' mistakes it stands for.
+    `numbers`: the entries in the list of beginners' mistakes that it covers.
     """
 
     lesson: str
@@ -34,7 +34,7 @@ class Exhibit:
 
 @dataclass(frozen=True)
 class Term:
-    """One word of the field, and the lesson that introduces it."""
+    """One technical term, and the lesson that introduces it."""
 
     lesson: str
     name: str
@@ -43,24 +43,24 @@ class Term:
 
 @dataclass(frozen=True)
 class Museum:
-    """All exhibits and terms, in the order of the lessons."""
+    """All exhibits and terms, in lesson order."""
 
     exhibits: tuple[Exhibit, ...]
     terms: tuple[Term, ...]
 
     def exhibit_for(self, text: str) -> Exhibit | None:
-        """The exhibit whose `shows` occurs in `text`; the longest one wins. None when there is none."""
+        """Return the exhibit whose `shows` occurs in `text`; the longest match wins. None if there is no match."""
         fits = [one for one in self.exhibits if len(one.shows) >= SHORTEST_SYMPTOM_TEXT and one.shows in text]
         return max(fits, key=lambda one: len(one.shows), default=None)
 
 
 def museum_folder(course: Path) -> Path:
-    """Where the files of the museum are."""
+    """Return the folder with the museum's files."""
     return course / "notebooks" / "sources" / "museum"
 
 
 def load_museum(course: Path) -> Museum:
-    """Read all files. Raises BrokenMuseum when one is damaged or lacks something."""
+    """Read all museum files. Raises BrokenMuseum if one is malformed or incomplete."""
     exhibits: list[Exhibit] = []
     terms: list[Term] = []
     for path in sorted(museum_folder(course).glob("*.toml")):

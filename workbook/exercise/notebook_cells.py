@@ -1,12 +1,12 @@
-"""Reads the answer cells of a notebook, which may be made to fill the memory of whoever reads it.
+"""Read a notebook's answer cells, even if the notebook is crafted to exhaust its reader's memory.
 
-A large one is read by a process of its own with little memory and time, which this file is the program of: it imports
-the standard library only.
+A large notebook is read in a separate process with limited memory and time. That process runs this file, so it
+imports only the standard library.
 
     python -I -S notebook_cells.py STEM < notebook.ipynb
 
 prints `{"named": [stems], "text": the last answer to STEM, or null}`, or `{"problem": sentence}`. `"after"` is the
-number of the code cell right after the answer, if that holds code that was perhaps meant to be part of it.
+number of the code cell right after the answer, if that cell's code may be part of the answer.
 """
 
 import json
@@ -20,20 +20,20 @@ from pathlib import Path
 from typing import Any
 
 SMALL_BYTES = 1_000_000
-"""Notebooks up to this size are read without a process of their own: that takes some 50 ms and 60 MB at most."""
+"""Notebooks up to this size are read without a separate process, in at most about 50 ms and 60 MB."""
 LARGEST_NOTEBOOK_BYTES = 50_000_000
-"""With the outputs of pictures in it, a notebook may well have some megabytes."""
+"""Figures in its outputs can make a notebook several megabytes large."""
 MEMORY_BYTES = 500_000_000
 CPU_S = 5
 PATIENCE_S = 120.0
 MOST_PARTS = 2_000_000
-"""Objects and lists in a notebook's JSON. A file of brackets alone would take thirty times its size in memory."""
+"""Objects and lists in a notebook's JSON. A file of nothing but brackets needs thirty times its size in memory."""
 LONGEST_TEXT = 1_000_001
-"""Characters that are kept of an answer: one more than may be handed in, so that it is refused."""
+"""The number of characters kept from an answer: one more than the limit, so that a longer answer is still refused."""
 MOST_NAMES = 50
-"""Exercises that are told of one notebook."""
+"""The most exercises that are reported for one notebook."""
 MOST_NEAR, MOST_LINES, ALIKE = 3, 2_000, 0.7
-"""Cells that are told as near misses, lines looked at in each, and how much a word must resemble `answer`."""
+"""The most cells reported as near misses, the lines searched in each, and the minimum similarity to `answer`."""
 _NEAR_LINE = re.compile(
     r"""^\s*(?P<comment>[#>"'`\s]*)(?P<percent>[%\uff05\u066a!]*)\s*(?P<word>[^\W\d_]{4,10})(?=\W|\d|$)"""
 )
@@ -47,19 +47,22 @@ _MAGIC_LINE = re.compile(r"^%%answer\s+(?P<name>\w[\w-]{0,99})(?:\s+--check)?\s*
 
 
 def named_exercise(line: str) -> str | None:
-    """The exercise that a `%%answer` line names, as it is written there, or None for any other line."""
+    """Return the exercise that a `%%answer` line names, exactly as written, or None for any other line."""
     found = _MAGIC_LINE.match(line.strip())
     return found["name"] if found else None
 
 
 def means(name: str, stem: str) -> bool:
-    """Whether a `%%answer` line that says `name` is about `stem`: 09_joint_positions, joint_positions, 09 or 9."""
+    """Return whether the name in a `%%answer` line refers to `stem`.
+
+    The name may be 09_joint_positions, joint_positions, 09, or 9.
+    """
     number, _, slug = stem.partition("_")
     return name in (stem, slug, number, number.lstrip("0") or "0")
 
 
 def answer_cells(path: Path, stem: str = "") -> dict[str, Any]:
-    """What this program prints for the notebook `path`. Raises OSError."""
+    """Return this program's output for the notebook at `path`. Raises OSError."""
     with path.open("rb") as file:
         if path.stat().st_size <= SMALL_BYTES:
             return cells_of(file.read(SMALL_BYTES), stem)
@@ -77,7 +80,7 @@ def answer_cells(path: Path, stem: str = "") -> dict[str, Any]:
 
 
 def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
-    """What this program prints for the bytes of a notebook."""
+    """Return this program's output for a notebook's bytes."""
     if raw.count(b"{") + raw.count(b"[") > MOST_PARTS:
         return {"problem": "this is not a notebook: it consists of millions of empty parts"}
     try:
@@ -117,12 +120,12 @@ def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
 
 
 def _looks_like_code(text: str) -> bool:
-    """Whether a cell may be a part of a program: not a magic, and not just a line that looks at a value."""
+    """Return whether a cell may be part of a program: not a magic, and not just a line that displays a value."""
     return not text.lstrip().startswith(("%", "!")) and bool(_CODE.search(text[:LONGEST_TEXT]))
 
 
 def _why_no_json(raw: bytes) -> str:
-    """What a file is that should be a notebook, and is no JSON."""
+    """Return what's wrong with a file that should be a notebook but isn't JSON."""
     start = raw.lstrip(b"\xef\xbb\xbf \t\r\n")[:200]
     conflict = next((n for n, line in enumerate(raw.split(b"\n"), 1) if line.startswith(b"<<<<<<< ")), None)
     if not start:
@@ -139,7 +142,7 @@ def _why_no_json(raw: bytes) -> str:
 
 
 def _why_no_notebook(found: Any) -> str | None:
-    """What is wrong with JSON that should be a notebook; None where nothing is."""
+    """Return the problem with JSON that should be a notebook; None if there is none."""
     if not isinstance(found, dict):
         return "the file holds no notebook, but other data"
     if "worksheets" in found:
@@ -152,7 +155,7 @@ def _why_no_notebook(found: Any) -> str | None:
 
 
 def _near_miss(text: str, kind: str) -> str | None:
-    """How a cell is nearly an answer cell: what was found instead of a `%%answer` line at its top; None if it isn't."""
+    """Describe the first line in a cell that resembles a `%%answer` line; None if there is no such line."""
     for place, line in enumerate(text[:LONGEST_TEXT].split("\n")[:MOST_LINES], start=1):
         found = _NEAR_LINE.match(line[:200])
         word = found["word"].casefold() if found else ""
@@ -176,7 +179,7 @@ def _text_of(cell: Any) -> str:
 
 
 def main(stem: str) -> None:
-    """Bound this process, then read the notebook from standard input."""
+    """Limit this process's resources, and then read the notebook from standard input."""
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     resource.setrlimit(resource.RLIMIT_CPU, (CPU_S, CPU_S + 1))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))

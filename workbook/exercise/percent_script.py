@@ -1,4 +1,4 @@
-"""Reads a percent script: its cells, which begin with ``# %% [kind]``, with the number of each line."""
+"""Read a percent script: its cells, which begin with ``# %% [kind]``, and each line's number."""
 
 import re
 from collections.abc import Sequence
@@ -10,11 +10,11 @@ CELL_KINDS = ("markdown", "answer", "live", "hint", "alternatives")
 _CELL = re.compile(r"# %%(?:\s+\[(?P<kind>[^\]]*)\])?\s*(?P<more>.*)")
 
 Line = tuple[int, str]
-"""A line of the file with its number, from 1."""
+"""A line with its number in the file, from 1."""
 
 
 class SourceError(ValueError):
-    """An exercise source that cannot be used; the message begins with ``file:line``."""
+    """An exercise source can't be used. The message begins with ``file:line``."""
 
     def __init__(self, path: Path | str, line: int, problem: str) -> None:
         super().__init__(f"{path}:{line}: {problem}")
@@ -25,7 +25,7 @@ class SourceError(ValueError):
 
 @dataclass(frozen=True)
 class SourceCell:
-    """One cell: its kind, the line of its head, and the lines below that."""
+    """One cell: its kind, the line number of its head, and the lines below the head."""
 
     kind: str
     line: int
@@ -33,7 +33,7 @@ class SourceCell:
 
 
 def cells_of(path: Path, lines: list[Line]) -> list[SourceCell]:
-    """The cells of a percent script. Raises SourceError for an unknown kind, or a line before the first cell."""
+    """Return a percent script's cells. Raises SourceError for an unknown kind, or a line before the first cell."""
     cells: list[SourceCell] = []
     open_kind, open_line, body = "", 0, list[Line]()
     for number, text in lines:
@@ -58,7 +58,7 @@ def cells_of(path: Path, lines: list[Line]) -> list[SourceCell]:
 
 
 def trimmed(body: Sequence[Line]) -> list[Line]:
-    """The lines without empty ones at the beginning and the end."""
+    """Return the lines without blank ones at the beginning and end."""
     kept = list(body)
     while kept and not kept[0][1].strip():
         kept.pop(0)
@@ -68,7 +68,7 @@ def trimmed(body: Sequence[Line]) -> list[Line]:
 
 
 def uncommented(path: Path, cell: SourceCell) -> str:
-    """The text of a cell whose lines are commented out. Raises SourceError for a line that is not."""
+    """Return the text of a cell whose lines are commented out. Raises SourceError for a line that isn't."""
     lines = []
     for number, text in trimmed(cell.body):
         if text.strip() and not text.startswith("#"):
@@ -78,7 +78,7 @@ def uncommented(path: Path, cell: SourceCell) -> str:
 
 
 def markdown(path: Path, cell: SourceCell) -> str:
-    """The text of a cell that is commented out and must not be empty. Raises SourceError."""
+    """Return the text of a commented-out cell. Raises SourceError if it's empty or not commented out."""
     text = uncommented(path, cell)
     if not text.strip():
         raise SourceError(path, cell.line, f"this [{cell.kind}] cell is empty")

@@ -1,7 +1,10 @@
-"""The phases that a judged program goes through. Each is one watch, from a start to a judgement or to the next phase.
+"""Define the phases of judging a program.
 
-`SimulatedTime` leads to the `WallClock` if it cannot judge a program, and to a `SecondStart` in real time if it can.
-What simulated time cannot judge at all begins on the `WallClock`. `FieldChecks` come last, where something is garbled.
+Each phase is one watch, which leads to a judgment or to the next phase.
+
+`SimulatedTime` leads to `WallClock` if it can't judge a program, and to a `SecondStart` in real time if it can. An
+exercise that can't be judged on simulated time at all begins with `WallClock`. `FieldChecks` comes last, if a message
+is garbled.
 """
 
 from collections.abc import Callable
@@ -40,7 +43,7 @@ def never() -> bool:
 
 @dataclass(frozen=True)
 class JudgingRequest:
-    """One answer to judge: what `Judge.judge` was given, and the program to run."""
+    """One answer to judge: the arguments of `Judge.judge`, and the program to run."""
 
     exercise: Exercise
     answer: Answer
@@ -55,7 +58,7 @@ class JudgingRequest:
         return judge_recording(self.exercise, self.answer.sha256, recording, real_life=real_life)
 
     def observed(self, watch: Watch, cancel_soak: Callable[[], bool] = never) -> Judgement:
-        """Watch as planned and judge what was seen. If the end is judged, the program is ended before."""
+        """Watch as planned and judge the recording. If the end is judged, end the program first."""
         text = self.answer.text
         recording = replace(
             watch.observe(cancel_soak),
@@ -68,7 +71,7 @@ class JudgingRequest:
         return self.judged(recording, real_life=self.exercise.to_the_end and recording.clock == "wall")
 
     def ended(self, watch: Watch, judgement: Judgement) -> Judgement:
-        """End the program, if it was not; in a soak, one on the wall clock lives its real seconds before."""
+        """End the program unless it has already ended. In a soak on the wall clock, first let it run in real time."""
         recording, lived = judgement.recording, False
         assert recording is not None
         if self.exercise.to_the_end:
@@ -81,24 +84,24 @@ class JudgingRequest:
         return self.judged(recording, real_life=lived or recording.clock == "wall")
 
     def concluded(self, judgement: Judgement) -> "JudgingPhase | Judgement":
-        """The judgement that counts, unless it asks what the field checks of the messages say."""
+        """Return the final judgment, or the field checks as the next phase if it needs their messages."""
         if any(result.recheck_fields for result in judgement.criteria):
             return FieldChecks(self, judgement)
         return judgement
 
 
 Watched = tuple[ProgramSpec, Plan, Clock]
-"""A program as it is started, what is watched of it, and on which clock."""
+"""The program to start, the plan for watching it, and the clock."""
 
 
 class JudgingPhase(Protocol):
-    """One watch of a program, and what follows from it."""
+    """One watch of a program, and the step that follows."""
 
     def watched(self) -> Watched:
-        """What is to be watched."""
+        """Return this phase's program, plan, and clock."""
 
     def follow(self, watch: Watch) -> "JudgingPhase | Judgement":
-        """Watch the program. Returns the next phase, or the judgement that counts."""
+        """Watch the program. Return the next phase, or the final judgment."""
 
 
 @dataclass(frozen=True)
@@ -108,11 +111,11 @@ class SimulatedTime:
     case: JudgingRequest
 
     def watched(self) -> Watched:
-        """As planned."""
+        """Return the program with the exercise's plan, on simulated time."""
         return self.case.spec, self.case.exercise.plan, "simulated"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
-        """Judge on simulated time where that proves anything."""
+        """Judge on simulated time, if that proves anything."""
         case = self.case
         judgement = case.observed(watch)
         if needs_wall_clock(case.exercise, case.answer, judgement):
@@ -128,13 +131,13 @@ class SimulatedTime:
 
 @dataclass(frozen=True)
 class WallClock:
-    """A plain start that is judged in real time. `on_simulated`: what simulated time had said of the program before."""
+    """A plain start that is judged in real time. `on_simulated`: the earlier judgment on simulated time, if any."""
 
     case: JudgingRequest
     on_simulated: Judgement | None = None
 
     def watched(self) -> Watched:
-        """Real time, for long enough to see again what simulated time has shown."""
+        """Return the program in real time, for long enough to repeat its behavior on simulated time."""
         return self.case.spec, plan_on_wall_clock(self.case.exercise, self.on_simulated), "wall"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
@@ -147,17 +150,17 @@ class WallClock:
 
 @dataclass(frozen=True)
 class SecondStart:
-    """Another plain start, in real time: a program that simulated time has judged must be as it was there."""
+    """Another plain start, in real time: the program must behave as it did on simulated time."""
 
     case: JudgingRequest
     on_simulated: Judgement
 
     def watched(self) -> Watched:
-        """Eight real seconds, or as long as the script takes."""
+        """Return the program in real time, for eight seconds or as long as the script takes."""
         return self.case.spec, plan_of_second_start(self.case.exercise, self.on_simulated), "wall"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
-        """Compare both starts. One that is cut short proves nothing."""
+        """Compare both starts. A second start that is cut short proves nothing."""
         case = self.case
         on_wall = replace(case.observed(watch, case.cancel_soak), watched_real_life=True)
         if case.cancel_soak():
@@ -167,20 +170,20 @@ class SecondStart:
 
 @dataclass(frozen=True)
 class FieldChecks:
-    """A short start with field checks on. What they say goes into the notes of the recording."""
+    """A short start with field checks on. Their messages are added to the recording's notes."""
 
     case: JudgingRequest
     judgement: Judgement
 
     def watched(self) -> Watched:
-        """The first messages, on the clock of the judgement."""
+        """Return the program with field checks on, for its first messages, on the judgment's clock."""
         plan = self.case.exercise.plan
         seconds = max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period)
         plan = replace(plan, simulated_seconds=seconds, wall_seconds=seconds)
         return replace(self.case.spec, check_fields=True), plan, self._recording.clock
 
     def follow(self, watch: Watch) -> Judgement:
-        """Judge the recording again, with the note; its doubt stays."""
+        """Judge the recording again, with the note. That doesn't change whether the judgment is conclusive."""
         process = watch.observe(never).process
         if process.ended_by is not None:
             process = watch.finish(self._recording).process
@@ -197,5 +200,5 @@ class FieldChecks:
 
 
 def first_phase(case: JudgingRequest) -> JudgingPhase:
-    """Simulated time where the exercise allows it, else the wall clock."""
+    """Return simulated time as the first phase if the exercise allows it, otherwise the wall clock."""
     return SimulatedTime(case) if case.exercise.source.clock == "simulated" else WallClock(case)

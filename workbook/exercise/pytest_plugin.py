@@ -1,9 +1,9 @@
-"""pytest plugin: one test per criterion of an answer, or of a stored recording.
+"""Provide a pytest plugin: one test per criterion, for an answer or a stored recording.
 
     pytest exercises/criteria/09_joint_positions.py --answer my_answer.py
     pytest exercises/criteria/09_joint_positions.py --recording recording.json
 
-The functions are the very ones that grade; pytest only runs and shows them.
+Grading uses the very same functions; pytest only runs them and shows the results.
 """
 
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "CriteriaFile | None":
-    """Collect a criteria file when one of the options is given."""
+    """Collect a criteria file if `--answer` or `--recording` is given."""
     config = parent.config
     if file_path.suffix != ".py" or file_path.parent.name != "criteria":
         return None
@@ -39,10 +39,10 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "CriteriaF
 
 
 class CriteriaFile(pytest.File):
-    """A criteria file; its tests are the criteria."""
+    """A criteria file. Its tests are the criteria."""
 
     def collect(self) -> Iterator["CriterionItem"]:
-        """One item per criterion of the exercise."""
+        """Yield one item per criterion of the exercise."""
         from workbook.exercise.definition import load_exercise
 
         exercise = load_exercise(self.path.stem, self.path.parents[2])
@@ -50,7 +50,10 @@ class CriteriaFile(pytest.File):
             yield CriterionItem.from_parent(self, name=criterion.id)
 
     def result(self, criterion: str) -> "CriterionResult":
-        """The result of a criterion. Raises RuntimeError where no try of the answer counts, as a grader would say."""
+        """Return a criterion's result.
+
+        Raises RuntimeError if no try of the answer counts, as in `workbook grade`.
+        """
         judgement = self._judgement
         if judgement.status != "graded":
             raise RuntimeError(judgement.reason)
@@ -58,7 +61,7 @@ class CriteriaFile(pytest.File):
 
     @cached_property
     def _judgement(self) -> "Judgement":
-        """What counts of the answer or the recording, judged once however many tests ask."""
+        """The judgment that counts for the answer or recording. It's made once, however many tests use it."""
         from workbook.exercise.answers import read_answer
         from workbook.exercise.definition import load_exercise
         from workbook.exercise.judgement import judge_recording
@@ -79,14 +82,14 @@ class CriteriaFile(pytest.File):
 
 
 class CriterionFailed(AssertionError):
-    """A criterion that is not met; its text is the feedback, with the id of the cause."""
+    """A criterion that isn't met. The message is the feedback, with the cause id."""
 
 
 class CriterionItem(pytest.Item):
     """One criterion as a test."""
 
     def runtest(self) -> None:
-        """Pass, skip or fail as the criterion did."""
+        """Pass, skip, or fail as the criterion did."""
         assert isinstance(self.parent, CriteriaFile)
         result = self.parent.result(self.name)
         if result.status == "skipped":
@@ -98,11 +101,11 @@ class CriterionItem(pytest.Item):
             )
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> str:
-        """The feedback of a failed criterion; anything else as pytest shows it."""
+        """Return a failed criterion's feedback. Other exceptions are shown as usual in pytest."""
         if isinstance(excinfo.value, CriterionFailed):
             return str(excinfo.value)
         return str(super().repr_failure(excinfo, style))
 
     def reportinfo(self) -> tuple[Path, None, str]:
-        """The criteria file and the criterion's id."""
+        """Return the criteria file and the criterion's id."""
         return self.path, None, self.name

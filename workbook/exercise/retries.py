@@ -1,14 +1,14 @@
-"""Which try of an answer counts, and whether there is another one. Whoever judges answers asks here.
+"""Decide which try of an answer counts, and whether to try again, for both `%check` and `workbook grade`.
 
-- A try without a doubt ends it. There are three tries at most.
-- A try that the machine or the judge may have disturbed never counts.
-- If the others differ in what the program published, the lowest counts. If they differ only in how the program ended,
-  the best one does: a bug in rclpy or Python may have spoiled the other ends.
-- If all were disturbed but gave the same, that is no chance, and the last one counts. If they differ, the answer has no
-  score: a fault of ours is never a student's zero.
+- A conclusive try ends the series. There are at most three tries.
+- An inconclusive try, in which the machine or the judge may have cost points, doesn't count.
+- If the other tries differ in what the program published, the lowest counts. If they differ only in how the program
+  ended, the best counts, because a bug in rclpy or Python may have spoiled the other ends.
+- If all tries were inconclusive but gave the same result, that's no coincidence, so the last one counts. If they
+  differ, the answer has no score: our own fault never becomes a student's zero.
 
-`%check` and `workbook check` differ from graders in one point: where no try counts, they show the last one that was
-judged, and its doubt (`until_sure`).
+`%check` and `workbook check` differ from `workbook grade` in one way. If no try counts, they show the last one that
+was judged, and why it's inconclusive (`until_sure`).
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -25,9 +25,10 @@ JudgeAll = Callable[[Sequence[Job]], Iterator[tuple[Job, Judgement]]]
 
 @dataclass(frozen=True)
 class Counting:
-    """What counts of some tries, and why as a sentence. `number`: of the try that it is, from 0; None for none of them.
+    """The judgment that counts among some tries, and why, as a sentence.
 
-    The sentence is empty for a single try.
+    `number`: the index of the try that counts, from 0; None if none of them does. The sentence is empty for a single
+    try.
     """
 
     judgement: Judgement
@@ -38,10 +39,10 @@ class Counting:
 def judge_until_sure(
     jobs: Sequence[Job], judge: JudgeAll[Job]
 ) -> Iterator[tuple[Job, tuple[Judgement, ...]]]:
-    """Judge all; yields each answer with its tries as soon as it is done.
+    """Judge all answers. Yield each one with its tries as soon as it's done.
 
-    An answer whose judgement is inconclusive is tried again after all others, when the machine is calmer. If the run is
-    stopped before its last try, it is not yielded: the next run judges it from the start.
+    An answer whose judgment is inconclusive is tried again after all others, when the machine is less busy. If the run
+    is stopped before an answer's last try, that answer isn't yielded, so the next run judges it from the start.
     """
     waiting = list(jobs)
     before: dict[int, tuple[Judgement, ...]] = {}
@@ -57,25 +58,31 @@ def judge_until_sure(
         before = {id(job): tries for job, tries in again}
 
 
-def tries_of(judge: Callable[[], Judgement], report: Report = lambda _: None) -> tuple[Judgement, ...]:
-    """Judge one answer, and again as long as that is in doubt. Returns all tries.
+def tries_of(
+    judge: Callable[[], Judgement],
+    report: Report = lambda _: None,
+    stop: Callable[[], bool] = lambda: False,
+) -> tuple[Judgement, ...]:
+    """Judge one answer, and repeat that while the judgment is inconclusive. Return all tries.
 
-    `report` gets each doubtful try that is followed by another one, as provisional.
+    `report` receives each inconclusive try that is followed by another one, as provisional. `stop` is called before
+    each further try, and returns whether to give up.
     """
     tries: tuple[Judgement, ...] = (judge(),)
-    while _needs_another(tries):
+    while _needs_another(tries) and not stop():
         report(judgement_as_provisional(tries[-1]))
         tries = (*tries, judge())
     return tries
 
 
-def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
-    """Judge an answer for its author until nothing is in doubt (see `tries_of`). Returns what counts.
+def until_sure(
+    judge: Callable[[], Judgement], report: Report, stop: Callable[[], bool] = lambda: False
+) -> Judgement:
+    """Judge an answer for its author until a try is conclusive (see `tries_of`). Return the judgment that counts.
 
-    If nothing does, it returns the last try that was judged, with its doubt: students who check their own program want
-    to know what was seen.
+    If none counts, return the last try that was judged, so that students still see what their program did.
     """
-    tries = tries_of(judge, report)
+    tries = tries_of(judge, report, stop)
     found = what_counts(tries)
     if found.number is not None:
         return found.judgement
@@ -83,28 +90,26 @@ def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
 
 
 def counting(tries: Sequence[Judgement]) -> Judgement:
-    """What counts of some tries."""
+    """Return the judgment that counts among some tries."""
     return what_counts(tries).judgement
 
 
 def what_counts(tries: Sequence[Judgement]) -> Counting:
-    """What counts of some tries, and why."""
+    """Return the judgment that counts among some tries, and why."""
     if len(tries) == 1:
         return Counting(tries[0], 0)
-    sound = [number for number, one in enumerate(tries) if one.status == "graded" and not one.is_disturbed]
+    sound = [number for number, one in enumerate(tries) if one.status == "graded" and not one.is_inconclusive]
     if not sound:
-        return _of_disturbed(tries)
+        return _of_inconclusive(tries)
     lowest = min(_published(tries[number]) for number in sound)
     low = [number for number in sound if _published(tries[number]) == lowest]
     number = max(low, key=lambda one: (tries[one].score or 0.0, not tries[one].inconclusive_reason, one))
     counts = tries[number]
     if len(sound) == MOST_TRIES:
-        counts = replace(counts, inconclusive_reason="", end_only=False)  # what every end shows is no chance
+        counts = replace(counts, inconclusive_reason="", end_only=False)  # what every try shows isn't chance
     name = NUMERALS[number]
     if any(_parts(tries[one], at_end=False) != _parts(counts, at_end=False) for one in sound):
-        why = (
-            f"The {name} one counts, the lowest: what the program did before its end was not always the same."
-        )
+        why = f"The {name} one counts, the lowest: before its end, the program didn't always behave in the same way."
     elif any(tries[one].score != counts.score for one in sound):
         why = f"The {name} one counts, the best: only the ends of the program differ."
     elif len(sound) < len(tries):
@@ -115,18 +120,23 @@ def what_counts(tries: Sequence[Judgement]) -> Counting:
 
 
 def _needs_another(tries: Sequence[Judgement]) -> bool:
-    """Whether the last try decides nothing. A first one that was not judged at all was tried often enough."""
+    """Return whether another try is needed, because the last one decided nothing.
+
+    A first try that wasn't judged at all isn't repeated, because it has been tried often enough already.
+    """
     failed_later = len(tries) > 1 and tries[-1].status == "infra_error"
     return len(tries) < MOST_TRIES and (bool(tries[-1].inconclusive_reason) or failed_later)
 
 
-def _of_disturbed(tries: Sequence[Judgement]) -> Counting:
-    """What counts where every try was disturbed."""
+def _of_inconclusive(tries: Sequence[Judgement]) -> Counting:
+    """Return the judgment that counts if every try was inconclusive."""
     last = tries[-1]
     judged = [one for one in tries if one.status == "graded"]
     if len(judged) == MOST_TRIES and len({_parts(one) for one in judged}) == 1:
         return Counting(
-            last, len(tries) - 1, "All of them were disturbed, and all gave the same. The last one counts."
+            last,
+            len(tries) - 1,
+            "All of them were disturbed, but all gave the same result. The last one counts.",
         )
     if last.status != "graded":
         return Counting(last, None, "None of them counts.")
@@ -134,15 +144,15 @@ def _of_disturbed(tries: Sequence[Judgement]) -> Counting:
         last, status="infra_error", reason=f"inconclusive each time: {last.inconclusive_reason}", criteria=()
     )
     return Counting(
-        nothing, None, "None of them counts: something other than the program disturbed each of them."
+        nothing, None, "None of them counts: something other than the program disturbed each try."
     )
 
 
 def _published(judgement: Judgement) -> float:
-    """The points for all but the program's end."""
+    """Return the points for everything except the program's end."""
     return round(sum(one.points for one in judgement.criteria if not one.about_end), 6)
 
 
 def _parts(judgement: Judgement, *, at_end: bool = True) -> tuple[tuple[str, float], ...]:
-    """The points by criterion; those about the program's end only where wanted."""
+    """Return the points by criterion. `at_end`: include the criteria about the program's end."""
     return tuple((one.id, one.points) for one in judgement.criteria if at_end or not one.about_end)

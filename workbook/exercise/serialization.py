@@ -1,4 +1,4 @@
-"""Judgements as JSON: how a slot hands them to the grader, and a machine of the farm to another one."""
+"""Convert judgments to JSON and back. A slot sends them to its owner, and farm machines send them to each other."""
 
 from typing import Any, NoReturn
 
@@ -7,20 +7,20 @@ from workbook.recording.codec import Malformed, decode, encode
 
 
 def judgement_to_json(judgement: Judgement) -> dict[str, Any]:
-    """Plain data for `json`."""
+    """Return a judgment as plain data for `json`."""
     data: dict[str, Any] = encode(judgement)
     return data
 
 
 def judgement_from_json(data: object) -> Judgement:
-    """The reverse of `judgement_to_json`. Raises Malformed, which is a ValueError."""
+    """Return the judgment that `judgement_to_json` converted. Raises Malformed, which is a ValueError."""
     return decode(Judgement, data)
 
 
 def judgement_from_afar(data: object, stem: str, answer_sha256: str) -> Judgement:
-    """A final judgement of this answer that came from another machine. Every part of it is looked at before it is used.
+    """Return another machine's final judgment of this answer, after checking each part.
 
-    Raises ValueError when it is damaged, or is of another answer.
+    Raises ValueError if the judgment is damaged, or belongs to another answer.
     """
     try:
         judgement = judgement_from_json(data)
@@ -39,5 +39,5 @@ def judgement_from_afar(data: object, stem: str, answer_sha256: str) -> Judgemen
 
 
 def no_constant(name: str) -> NoReturn:
-    """For `json.loads(parse_constant=...)`: NaN and Infinity are not JSON. Raises ValueError."""
+    """Reject NaN and Infinity in `json.loads(parse_constant=...)`, because they aren't JSON. Raises ValueError."""
     raise ValueError(f"{name} is not a JSON number")

@@ -1,4 +1,4 @@
-"""Splits an answer with marked parts into the solution and the starter: ``[solution]``, ``[starter]``, ``[end]``."""
+"""Split an answer with marked parts into the solution and the starter: ``[solution]``, ``[starter]``, ``[end]``."""
 
 import re
 from collections.abc import Sequence
@@ -11,10 +11,10 @@ _STARTER_LINE = re.compile(r"(?P<indent>\s*)# \|(?: (?P<text>.*))?")
 
 
 def split_answer(lines: Sequence[Line], path: Path | str = "answer") -> tuple[list[Line], list[Line]]:
-    """Split numbered lines of an answer into those of the solution and those of the starter.
+    """Split an answer's numbered lines into the solution's and the starter's.
 
-    Lines outside of marked parts go to both, unchanged. Raises SourceError for markers that are out of order, left open
-    or misspelled, and for a starter line without ``# |``.
+    Lines outside marked parts go to both, unchanged. Raises SourceError for markers that are out of order, unclosed, or
+    misspelled, and for a starter line without ``# |``.
     """
     solution: list[Line] = []
     starter: list[Line] = []
@@ -42,7 +42,7 @@ def split_answer(lines: Sequence[Line], path: Path | str = "answer") -> tuple[li
 
 
 def _out_of_order(marker: str, state: str, opened: int) -> str:
-    """What is wrong with this marker here; empty when nothing is. `opened`: the line of the open [solution]."""
+    """Return the problem with this marker here; empty if there is none. `opened`: the line of the open [solution]."""
     if marker not in ("solution", "starter", "end"):
         return f"unknown marker [{marker}]: there are [solution], [starter] and [end]"
     if marker == "solution" and state != "outside":

@@ -1,6 +1,6 @@
-"""Reads ``solutions/NN_slug.py``: one percent script that holds everything an exercise is made of.
+"""Read ``solutions/NN_slug.py``: one percent script that contains an entire exercise.
 
-The whole file is a runnable program, the reference answer. Its comments hold everything else::
+The whole file is a runnable program, the reference answer. Its comments contain everything else::
 
     # ---
     # exercise: 09_joint_positions
@@ -14,11 +14,11 @@ The whole file is a runnable program, the reference answer. Its comments hold ev
     # ---
     # %% [markdown]      story cells, before or after the answer
     # %% [answer]        the program, with marked parts that the student writes
-    # %% [live]          optional: code of the cell that starts the program, commented out; default `%start`
+    # %% [live]          optional: code for the cell that starts the program, commented out; default `%start`
     # %% [hint]          three times: nudge, pointer, sketch
-    # %% [alternatives]  other good ways, weighed
+    # %% [alternatives]  other good solutions, compared
 
-In the answer a part that the student writes is marked, and may name the lines that replace it::
+In the answer, each part that the student writes is marked, and may be followed by the lines that replace it::
 
         # [solution]
         self.pub = self.create_publisher(String, '/robot/status', 10)
@@ -26,7 +26,7 @@ In the answer a part that the student writes is marked, and may name the lines t
         # | # TODO 1: create the publisher
         # [end]
 
-In the students' edition the header says ``solution: left out``, and the answer is the starter.
+In the students' edition, the header contains ``solution: left out``, and the answer is the starter.
 """
 
 import ast
@@ -44,20 +44,20 @@ from workbook.exercise.source_header import split_header, typed_fields
 
 STEM = re.compile(r"(?P<number>\d\d)_(?P<slug>[a-z][a-z0-9_]*)")
 DEEPER = "_deeper"
-"""Ends the stem of an optional notebook that goes deeper than its lesson, such as `01_the_context_deeper`."""
+"""The stem's ending for an optional notebook that goes deeper than its lesson, such as `01_the_context_deeper`."""
 HINT_NAMES = ("nudge", "pointer", "sketch")
 DEFAULT_LIVE = "%start"
 
 
 class UnknownExercise(LookupError):
-    """No exercise has this name; the message lists those that exist."""
+    """No exercise has this name. The message lists those that exist."""
 
 
 @dataclass(frozen=True)
 class ExerciseSource:
     """One exercise as its author wrote it.
 
-    Texts are markdown or Python code and end without a newline, except the two programs, which end with one.
+    Texts are Markdown or Python code without a final newline, except that the two programs end with one.
     """
 
     path: Path
@@ -67,19 +67,19 @@ class ExerciseSource:
     title: str
     minutes: int
     difficulty: int
-    """1 (a first step) to 5 (a long think)."""
+    """From 1 (a first step) to 5 (needs long thought)."""
     kind: str
     clock: str
     objectives: tuple[str, ...]
     out_of_scope: tuple[str, ...]
     has_solution: bool
-    """Whether this edition of the course holds the solution. If not, `solution_code` is the starter."""
+    """Whether this edition of the course contains the solution. If not, `solution_code` is the starter."""
     story: tuple[str, ...]
     """Markdown cells before the answer cell."""
     afterword: tuple[str, ...]
     """Markdown cells after the answer cell."""
     live: str
-    """Code of the cell that starts the student's program."""
+    """Code for the cell that starts the student's program."""
     solution_code: str
     starter_code: str
     hints: tuple[str, str, str]
@@ -89,8 +89,8 @@ class ExerciseSource:
 def load(path: Path | str) -> ExerciseSource:
     """Read and check one exercise source.
 
-    Raises SourceError, with where and what to write, when something is missing or malformed, and OSError when the file
-    cannot be read.
+    Raises SourceError, which says where the problem is and what to write, if something is missing or malformed. Raises
+    OSError if the file can't be read.
     """
     path = Path(path)
     named = STEM.fullmatch(path.stem)
@@ -120,20 +120,29 @@ def load(path: Path | str) -> ExerciseSource:
 
 
 def driver_of(solution: Path) -> Path | None:
-    """The program that calls the functions of an answer to this exercise; None where the answer is a program itself."""
+    """Return the program that calls the functions of an answer to this exercise.
+
+    The result is None if the answer itself is a program.
+    """
     driver = solution.parent.parent / "exercises" / "drivers" / solution.name
     return driver if driver.is_file() else None
 
 
+def partner_of(solution: Path) -> Path | None:
+    """Return the program that runs next to a started answer to this exercise; None if there is none."""
+    partner = solution.parent.parent / "exercises" / "partners" / solution.name
+    return partner if partner.is_file() else None
+
+
 def stems(solutions: Path | str) -> tuple[str, ...]:
-    """The stems of all exercises in the folder, in order of their numbers."""
+    """Return the stems of all exercises in the folder, in order of their numbers."""
     return tuple(sorted(path.stem for path in Path(solutions).glob("*.py") if STEM.fullmatch(path.stem)))
 
 
 def find(solutions: Path | str, name: str) -> Path:
-    """The source of the exercise called ``name``: a stem, a slug, a number, or the name of one of its files.
+    """Return the source of the exercise called ``name``: a stem, a slug, a number, or the name of one of its files.
 
-    Raises UnknownExercise when none or more than one fits.
+    Raises UnknownExercise if none or more than one matches.
     """
     known = stems(solutions)
     wanted = Path(name).name.removesuffix(".py").removesuffix(".ipynb")
@@ -158,7 +167,7 @@ def _answer_cell(path: Path, cells: list[SourceCell]) -> SourceCell:
 
 
 def _programs(path: Path, answer: SourceCell, *, has_solution: bool) -> tuple[str, str]:
-    """The solution and the starter."""
+    """Return the solution and the starter."""
     solution, starter = split_answer(trimmed(answer.body), path)
     _must_parse(path, "solution", solution, answer.line)
     _must_parse(path, "starter", starter, answer.line)
@@ -172,7 +181,7 @@ def _programs(path: Path, answer: SourceCell, *, has_solution: bool) -> tuple[st
 def _stories(
     path: Path, cells: list[SourceCell], answer: SourceCell
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The markdown before the answer, and that after it."""
+    """Return the Markdown cells before the answer, and those after it."""
     stories = [cell for cell in cells if cell.kind == "markdown"]
     before = tuple(markdown(path, cell) for cell in stories if cell.line < answer.line)
     if not before or not before[0].startswith("# "):

@@ -1,4 +1,4 @@
-"""The header of an exercise source: YAML between two ``# ---`` lines, checked field by field."""
+"""Read an exercise source's header: YAML between two ``# ---`` lines, checked field by field."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,14 +14,14 @@ FIELDS = (
     "exercise", "title", "minutes", "difficulty", "kind", "clock", "objectives", "out_of_scope",
 )  # fmt: skip
 SOLUTION, LEFT_OUT = "solution", "left out"
-"""A field and its one value: this edition of the course comes without the solution, and the answer is the starter."""
+"""A field and its only value: this edition of the course lacks the solution, so the answer is the starter."""
 
 Header = dict[str, tuple[int, Any]]
-"""By field: the number of its line, and its value."""
+"""Maps each field to its line number and value."""
 
 
 def split_header(path: Path, lines: list[Line]) -> tuple[Header, list[Line]]:
-    """The fields of the header, and the lines after it. Raises SourceError when the header is malformed."""
+    """Return the header's fields, and the lines after it. Raises SourceError if the header is malformed."""
     if not lines or lines[0][1].rstrip() != "# ---":
         raise SourceError(path, 1, "must begin with a header between two '# ---' lines")
     end = next((i for i, (_, text) in enumerate(lines[1:], start=1) if text.rstrip() == "# ---"), None)
@@ -63,9 +63,9 @@ def _parsed(path: Path, lines: list[Line]) -> Header:
 
 
 def typed_fields(path: Path, header: Header) -> dict[str, Any]:
-    """The values of the header by field, as `ExerciseSource` declares them, without the name of the exercise.
+    """Return the header's values by field, as `ExerciseSource` declares them, without the exercise's name.
 
-    Raises SourceError when a value is of another kind, or the exercise is not called as its file.
+    Raises SourceError if a value has the wrong type, or the exercise's name differs from the file's.
     """
     line, stem = header["exercise"]
     if stem != path.stem:
@@ -87,7 +87,7 @@ def typed_fields(path: Path, header: Header) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class _Fields:
-    """Typed access to the fields of a header. Each method raises SourceError for a value of another kind."""
+    """Typed access to a header's fields. Each method raises SourceError for a value of the wrong type."""
 
     path: Path
     header: Header

@@ -1,4 +1,4 @@
-"""Where a program spins, read from its source: evidence for why a node is silent, and never a verdict by itself."""
+"""Find the spins in a program's source. They help explain why a node is silent, but they are never a verdict."""
 
 import ast
 from collections.abc import Iterator, Sequence
@@ -16,11 +16,11 @@ CREATES = frozenset(
 )
 RATE, SLEEP = "create_rate", "sleep"
 MANY_THREADS = "MultiThreadedExecutor"
-"""Its other threads serve the timer of a rate while a callback waits for it."""
+"""Its other threads serve a rate's timer while a callback waits for the rate."""
 OTHER_THREADS = frozenset(
     {MANY_THREADS, "Thread", "ThreadPoolExecutor", "run_in_executor", "to_thread", "Process"}
 )
-"""Where one of these is used, something may spin while the main program waits."""
+"""If the program uses one of these, something may spin while the main thread waits."""
 GROUPS = frozenset({"MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"})
 LONGEST_CODE = 60
 Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
@@ -28,7 +28,7 @@ _DEFINES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
 
 def spins_in(text: str) -> tuple[SpinSeen, ...]:
-    """The calls that spin in a callback, wait in vain, or keep later lines from running; in this order."""
+    """Return the calls that spin in a callback, wait in vain, or keep later lines from running, in this order."""
     try:
         return _Spins(ast.parse(text)).found()
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -36,12 +36,18 @@ def spins_in(text: str) -> tuple[SpinSeen, ...]:
 
 
 def spins_in_a_callback(text: str) -> bool:
-    """Whether simulated time would prove nothing: it waits for a program to rest, and a callback that spins has not."""
+    """Return whether simulated time would prove nothing.
+
+    It waits for the program to become idle, which never happens if a callback spins.
+    """
     return any(one.callback and not one.waits for one in spins_in(text))
 
 
 def repeated_init(text: str) -> int:
-    """The line (from 1) of an rclpy.init() that a loop of the program calls again and again; 0 if there is none."""
+    """Return the line (from 1) of an rclpy.init() call in a loop.
+
+    The result is 0 if there is none.
+    """
     try:
         return _Spins(ast.parse(text)).init_in_a_loop()
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -49,7 +55,7 @@ def repeated_init(text: str) -> int:
 
 
 class _Spins:
-    """Looks at one program."""
+    """Analyzes one program."""
 
     def __init__(self, tree: ast.Module) -> None:
         self._tree = tree
@@ -97,7 +103,7 @@ class _Spins:
                 yield SpinSeen(call.lineno, _code(call), callback=name)
 
     def _waits_for_rates(self) -> Iterator[SpinSeen]:
-        """The waits for a rate in a callback, and those of a program in which nothing spins in that time."""
+        """Yield waits for a rate in a callback, and waits for a rate while nothing can be spinning."""
         in_callbacks = {id(call): name for name, call in self._called_in_callbacks() if self._waits(call)}
         for call in filter(self._waits, self._calls):
             name = in_callbacks.get(id(call), "")
@@ -105,7 +111,7 @@ class _Spins:
                 yield SpinSeen(call.lineno, _code(call), callback=name, waits="rate")
 
     def _waits_for_futures(self) -> Iterator[SpinSeen]:
-        """What async callbacks await, if all callbacks of a node are in its one default group."""
+        """Yield the awaits in async callbacks, if all of a node's callbacks are in its default group."""
         if self._named & GROUPS:
             return
         for name, callback in dict(self._callbacks()).items():
@@ -115,14 +121,14 @@ class _Spins:
                 yield SpinSeen(first.lineno, _code(first), callback=name, waits="future")
 
     def _waits(self, call: ast.Call) -> bool:
-        """Whether a call is the sleep of a rate."""
+        """Return whether a call is a rate's `sleep`."""
         if _called(call) != SLEEP or not isinstance(call.func, ast.Attribute):
             return False
         rate = call.func.value
         return _called(rate) == RATE if isinstance(rate, ast.Call) else _name(rate) in self._rates
 
     def _called_in_callbacks(self) -> Iterator[tuple[str, ast.Call]]:
-        """The calls that callbacks make, each once, with the name of the first callback that makes it."""
+        """Yield each call that callbacks make, once, with the name of the first callback that makes it."""
         seen: set[int] = set()
         for name, callback in self._callbacks():
             for call in self._reached_from(callback):
@@ -145,7 +151,7 @@ class _Spins:
                         yield name, self._functions[name]
 
     def _reached_from(self, function: Function) -> Iterator[ast.Call]:
-        """The calls that a function makes, itself or through others of the program."""
+        """Yield the calls that a function makes, directly or through the program's other functions."""
         return self._reached_in(function.body if isinstance(function.body, list) else [function.body])
 
     def _reached_in(self, part_of_it: Sequence[ast.AST]) -> Iterator[ast.Call]:
@@ -160,11 +166,11 @@ class _Spins:
                     waiting.append(other.body)
 
     def _spins(self, call: ast.Call) -> bool:
-        """Whether a call spins: by rclpy or an executor, not by a function of the program."""
+        """Return whether a call spins through rclpy or an executor, not through a function of the program."""
         return _called(call) in SPINS and _called(call) not in self._functions
 
     def _blocks(self, statement: ast.stmt, depth: int = 0) -> ast.Call | None:
-        """The call in a statement that returns only when ROS is shut down; None if it has none."""
+        """Return the call in a statement that returns only when ROS is shut down; None if there is none."""
         if depth > 3 or isinstance(statement, _DEFINES):
             return None
         if isinstance(statement, (ast.Try, ast.With)):
@@ -180,7 +186,10 @@ class _Spins:
         return None
 
     def _unreached(self, body: list[ast.stmt]) -> Iterator[SpinSeen]:
-        """What a call that does not return keeps from running, in the statements of one block and its inner ones."""
+        """Yield the calls that don't return, and so keep later statements from running.
+
+        This covers one block and its inner blocks.
+        """
         for number, statement in enumerate(body):
             if isinstance(statement, _DEFINES):
                 continue
@@ -200,7 +209,7 @@ class _Spins:
                 yield from self._unreached(inner)
 
     def _does_more(self, statement: ast.stmt) -> ast.Call | None:
-        """The first call in a statement that would spin, or create what the node lacks."""
+        """Return the first call in a statement that would spin, or create something that the node lacks."""
         if isinstance(statement, _DEFINES):
             return None
         return next(
@@ -213,7 +222,7 @@ class _Spins:
 
 
 def _calls_in(node: ast.AST) -> Iterator[ast.Call]:
-    """The calls in a part of a program, in the order of the text, those of inner functions left out."""
+    """Yield the calls in a part of a program, in the order of the text, except those in inner functions."""
     if isinstance(node, _DEFINES):
         return
     if isinstance(node, ast.Call):

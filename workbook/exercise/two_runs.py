@@ -1,6 +1,6 @@
-"""What two runs of one program mean together: one on simulated time, and one in real time. Runs nothing itself.
+"""Combine two runs of one program: one on simulated time, and one in real time. This module runs nothing itself.
 
-A run is given as its judgement, which holds its recording. `on_simulated` is the one on simulated time.
+A run is represented by its judgment, which contains the recording. `on_simulated` is the run on simulated time.
 """
 
 from dataclasses import replace
@@ -19,31 +19,31 @@ from workbook.watching.parameter_services import USE_SIM_TIME
 
 REAL_LIFE_S = 8.0
 ENDS_EARLY_S = 1.5
-"""A program that ends so soon (s) in real time has not shown what it does there."""
+"""A program that ends this soon (s) in real time hasn't shown how it behaves there."""
 WORKED_PERIODS = 3
-"""Of simulated time, the longest judged period: so long the wall clock watches in any case."""
+"""In longest judged periods of simulated time. A program that ended before that also ends on the wall clock's watch."""
 STOPPED_PERIODS = 2.5
-"""A topic that is silent for so many of its periods has stopped."""
+"""A topic that is silent for this many of its periods has stopped."""
 MOST_WALL_S = 26.0
-"""The wall clock watches at most so long (s) for a topic to stop: twenty seconds of messages, and the silence after."""
+"""The most time (s) to watch on the wall clock for a topic to stop: twenty seconds of messages, then the silence."""
 
 
 # --- which run comes next -----------------------------------------------------------------------------------------
 
 
 def is_distrusted(answer: Answer) -> bool:
-    """Whether simulated time proves nothing of a program: a callback spins, or it sets its own clock."""
+    """Return whether simulated time proves nothing about a program: a callback spins, or it sets its own clock."""
     return USE_SIM_TIME in answer.text or spins_in_a_callback(answer.text)
 
 
 def needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -> bool:
-    """Whether a program that was to be judged on simulated time has to be judged on the wall clock."""
+    """Return whether a program that should be judged on simulated time must be judged on the wall clock."""
     recording = judgement.recording
     if is_distrusted(answer):
         return True
     if recording is None or judgement.status != "graded":
         return False
-    if recording.clock == "wall":  # to be asked whether it can be switched may end a program
+    if recording.clock == "wall":  # asking a program whether it can be switched to simulated time may end it
         return recording.process.ended_by == "itself" and recording.follows_clock is False
     if recording.process.ended_by == "itself":
         return syntax_mistake(answer.text) is None and not _ended_for_good(exercise, recording)
@@ -53,7 +53,7 @@ def needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -
 
 
 def needs_second_start(judgement: Judgement) -> bool:
-    """Whether a program that simulated time has judged can show in real time that it is otherwise there."""
+    """Return whether a program that was judged on simulated time could still behave differently in real time."""
     recording = judgement.recording
     if not judgement.score or recording is None or recording.clock != "simulated":
         return False
@@ -61,9 +61,9 @@ def needs_second_start(judgement: Judgement) -> bool:
 
 
 def plan_on_wall_clock(exercise: Exercise, on_simulated: Judgement | None) -> Plan:
-    """The plan for the wall clock: long enough for a topic to stop there, too, if it did so on simulated time.
+    """Return the plan for the wall clock: long enough to repeat the messages of a topic that stopped on simulated time.
 
-    A topic that brings few messages does not prove that it follows simulated time.
+    A topic with few messages doesn't prove that it follows simulated time.
     """
     plan, seen = exercise.plan, on_simulated.recording if on_simulated is not None else None
     if seen is None:
@@ -71,23 +71,26 @@ def plan_on_wall_clock(exercise: Exercise, on_simulated: Judgement | None) -> Pl
     needed = [plan.wall_s]
     for name, period in exercise.periods.items():
         arrivals = seen.topic(name).arrivals
-        if arrivals and seen.simulated_s - arrivals[-1].t > STOPPED_PERIODS * period:
+        if arrivals and seen.watched_s - arrivals[-1].t > STOPPED_PERIODS * period:
             needed.append((len(arrivals) + STOPPED_PERIODS) * period)
     return replace(plan, wall_seconds=max(one for one in needed if one <= max(MOST_WALL_S, plan.wall_s)))
 
 
 def plan_of_second_start(exercise: Exercise, on_simulated: Judgement) -> Plan:
-    """The plan for a program that was judged on simulated time; its script is played to the end."""
+    """Return the plan for the second start of a program judged on simulated time. The script is played to the end."""
     plan = plan_on_wall_clock(exercise, on_simulated)
     script_s = plan.simulated_s if plan.script else 0.0
     return replace(plan, wall_seconds=max(REAL_LIFE_S, plan.wall_s, script_s))
 
 
-# --- what they mean together --------------------------------------------------------------------------------------
+# --- their combined meaning ---------------------------------------------------------------------------------------
 
 
 def with_doubt(exercise: Exercise, judgement: Judgement, on_simulated: Judgement | None = None) -> Judgement:
-    """The judgement, and whether it is conclusive. `on_simulated`: what simulated time had said of the same program."""
+    """Return the judgment with the reason, if any, why it's inconclusive.
+
+    `on_simulated`: the same program's result on simulated time.
+    """
     recording = judgement.recording
     if judgement.status != "graded" or recording is None:
         return judgement
@@ -108,10 +111,10 @@ def with_doubt(exercise: Exercise, judgement: Judgement, on_simulated: Judgement
 
 
 def wall_clock_decides(exercise: Exercise, on_simulated: Judgement | None, on_wall: Judgement) -> Judgement:
-    """The judgement of the wall clock, but for the pace of topics that follow simulated time.
+    """Return the wall clock's judgment, except for the pace of topics that follow simulated time.
 
-    A shorter watch in real time does not overrule what many messages of simulated time have shown, unless it shows
-    another rate. `on_simulated`: None if there was no such run, or it proves nothing.
+    A shorter watch in real time doesn't overrule the many messages on simulated time, unless it shows another rate.
+    `on_simulated`: None if there was no such run, or if it proves nothing.
     """
     if on_simulated is not None:
         on_wall = _with_what_simulated_time_proved(on_simulated, on_wall)
@@ -119,9 +122,10 @@ def wall_clock_decides(exercise: Exercise, on_simulated: Judgement | None, on_wa
 
 
 def second_start_decides(exercise: Exercise, on_simulated: Judgement, on_wall: Judgement) -> Judgement:
-    """The judgement in real time, if it contradicts the one on simulated time; else the latter.
+    """Return the judgment in real time if it contradicts the one on simulated time, otherwise the latter.
 
-    Then the end of the first process counts, which was asked to end; but if the second one ended by itself, that does.
+    With the latter, the first process's end counts, because the judge ended that process. But if the second process
+    ended by itself or hit a limit, its end counts.
     """
     if on_wall.status != "graded" or _contradicts(exercise, on_simulated, on_wall):
         return with_doubt(exercise, on_wall)
@@ -148,13 +152,13 @@ def _with_what_simulated_time_proved(on_simulated: Judgement, on_wall: Judgement
 
 
 def _contradicts(exercise: Exercise, on_simulated: Judgement, on_wall: Judgement) -> bool:
-    """Whether a program that was started again behaved otherwise in real time than on simulated time.
+    """Return whether a program behaved differently in real time, after a second start, than on simulated time.
 
-    Where a script is played, all that is judged must be as before. Where none is, real time is too short to judge the
-    rates again; so they are compared. How the program ended is not looked at, except that it ended too early.
+    With a script, every judged result must be unchanged. Without one, real time is too short to judge the rates again,
+    so they are compared. How the program ended doesn't matter, unless it ended too early.
     """
     simulated, real = _recordings(on_simulated, on_wall)
-    if real.process.ended_by == "itself" and real.simulated_s < ENDS_EARLY_S:
+    if real.process.ended_by == "itself" and real.watched_s < ENDS_EARLY_S:
         return True
     scripted = bool(exercise.plan.script)
     if not scripted and any(_has_another_rate(simulated, real, topic) for topic in exercise.periods):
@@ -174,16 +178,16 @@ def _recordings(on_simulated: Judgement, on_wall: Judgement) -> tuple[Recording,
 
 
 def _ended_for_good(exercise: Exercise, recording: Recording) -> bool:
-    """Whether a program that ended by itself on simulated time had long been at its work.
+    """Return whether a program that ended by itself on simulated time had already run for long enough.
 
-    If one ends early, the wall clock sees its end as well.
+    If it ended early, the wall clock shows its end as well.
     """
     published = any(recording.topic(name).arrivals for name in exercise.periods)
-    return published and recording.simulated_s >= WORKED_PERIODS * exercise.plan.longest_period
+    return published and recording.watched_s >= WORKED_PERIODS * exercise.plan.longest_period
 
 
 def _is_any_undecided(exercise: Exercise, recording: Recording) -> bool:
-    """Whether messages of a topic came of which it is not proved that they follow simulated time."""
+    """Return whether a topic has messages that aren't proven to follow simulated time."""
     return any(
         recording.topic(name).arrivals and not recording.following.get(name, False)
         for name in exercise.periods
@@ -191,15 +195,17 @@ def _is_any_undecided(exercise: Exercise, recording: Recording) -> bool:
 
 
 def _is_final(recording: Recording, result: CriterionResult) -> bool:
-    """Whether simulated time has the last word on this result: it judges the pace of a topic that follows the clock.
+    """Return whether simulated time decides this result.
 
-    At a fixed pace of that clock, a callback that sleeps for a moment would be late by many times that moment. That a
-    topic stops while others go on is no matter of a moment.
+    It decides the pace of a topic that follows the clock.
+
+    At a fixed pace of that clock, a callback that sleeps briefly would be late by many times that duration. So a result
+    about time is final only in lockstep. But if a topic stops while others go on, a short delay isn't the reason.
     """
     return (recording.in_lockstep or not result.about_time) and recording.following.get(result.pace_of, False)
 
 
 def _has_another_rate(simulated: Recording, real: Recording, topic: str) -> bool:
-    """Whether a topic came at another rate in real time than on simulated time, if it came there at all."""
+    """Return whether a topic's rate in real time differs from its rate on simulated time, if it had messages there."""
     seen = intervals_of(simulated, topic)
     return bool(seen) and rates_differ(median(seen), real, topic)

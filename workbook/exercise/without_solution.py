@@ -1,4 +1,4 @@
-"""The source of an exercise without its solution: for the students' edition, and for graders elsewhere."""
+"""Remove the solution from an exercise's source, for the students' edition and for judges on other machines."""
 
 from workbook.exercise.percent_script import SourceCell, cells_of
 from workbook.exercise.source import ExerciseSource
@@ -6,9 +6,9 @@ from workbook.exercise.source_header import LEFT_OUT, SOLUTION, split_header
 
 
 def without_solution(source: ExerciseSource, *, hints: bool) -> str:
-    """The text of an exercise with the starter in the solution's place, and a header that says so.
+    """Return an exercise's text with the starter instead of the solution, and with a header that says so.
 
-    `hints`: keep them as well; the alternatives to the solution never stay.
+    `hints`: keep the hints. The alternatives to the solution are always removed.
     """
     lines = list(enumerate(source.path.read_text(encoding="utf-8").splitlines(), start=1))
     _, remaining = split_header(source.path, lines)

@@ -1,4 +1,5 @@
-"""Many answers: slots and farms that judge them, results that resume, the gradebook, pages and exports.
+"""Grade many answers: judge them on slots or farms, resume runs, and write the gradebook, pages, and exports.
 
-`cli` and `magics` import it: `slots` for judging, `batch` for a class, `results` for what `results.jsonl` holds.
+`cli` and `magics` use this package: `slots` judges, `batch` grades a class, and `results` defines the lines of
+`results.jsonl`.
 """

@@ -1,8 +1,10 @@
-"""Marks that a person changed after an appeal: kept beside results.jsonl, and applied to all that is made from it.
+"""Store marks that a person changed after an appeal next to results.jsonl, and apply them to all exports.
+
+The imported file has these columns:
 
     student,exercise,criterion,points,reason,who
 
-are the columns of the file that comes in. Empty points take an earlier change back.
+Empty points undo an earlier change.
 """
 
 import csv
@@ -22,13 +24,13 @@ from workbook.recording.codec import decode, encode
 OVERRIDES = "overrides.jsonl"
 COLUMNS = ("student", "exercise", "criterion", "points", "reason", "who")
 TOTAL = "total"
-"""In the column of the criterion: the score as a whole, for an answer that could not be judged as well."""
+"""The criterion's name in a line that changes the whole score. It also works for an answer that couldn't be judged."""
 FIX = "Correct the line and run the command again; nothing in this file was applied"
 
 
 @dataclass(frozen=True)
 class OverrideLine:
-    """One line of a file of changes, not yet known to fit. `points` is None where a change is taken back."""
+    """One line of an imported file, not yet validated. `points` is None if the line undoes a change."""
 
     where: str
     student: str
@@ -40,7 +42,10 @@ class OverrideLine:
 
 
 def read_lines(path: Path) -> list[OverrideLine]:
-    """The lines of a file, which may begin with the names of the columns. Raises BadOption with the line's number."""
+    """Read the lines of a CSV file, skipping a header if there is one.
+
+    Raises BadOption, with the line's number.
+    """
     lines: list[OverrideLine] = []
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
@@ -59,7 +64,7 @@ def read_lines(path: Path) -> list[OverrideLine]:
 def _line(where: str, student: str, cells: Sequence[str]) -> OverrideLine:
     if len(cells) != len(COLUMNS) - 1:
         raise BadOption(
-            f"{where}: a line is `{','.join(COLUMNS)}`, and this one has {len(cells) + 1} columns. {FIX}"
+            f"{where}: a line is `{','.join(COLUMNS)}`, but this line has {len(cells) + 1} columns. {FIX}"
         )
     exercise, criterion, text, reason, who = cells
     for column, cell in (("reason", reason), ("who", who)):
@@ -77,7 +82,10 @@ def _line(where: str, student: str, cells: Sequence[str]) -> OverrideLine:
 
 
 def fit(lines: Sequence[OverrideLine], results: Mapping[StudentAndExercise, Result]) -> list[Override]:
-    """The changes that the lines make. Raises BadOption for the first that fits nobody: then none is made."""
+    """Match the lines with the results, and return the changes to make.
+
+    Raises BadOption for the first line that doesn't fit; then no change is made.
+    """
     found: dict[tuple[str, str, str], Override] = {}
     for line in lines:
         change = _fit(line, results)
@@ -129,7 +137,7 @@ def _is_called(student: str, name: str) -> bool:
 
 
 def _most(result: Result, criterion: str) -> float | None:
-    """The points that a criterion of this result is worth; None where it has no such criterion."""
+    """Return the most points that a criterion gives in this result; None if the result doesn't have this criterion."""
     if criterion == TOTAL:
         return result.max_score
     return next((one.max_points for one in result.criteria if one.id == criterion), None)
@@ -139,7 +147,7 @@ def _most(result: Result, criterion: str) -> float | None:
 
 
 def keep(out: Path, changes: Iterable[Override]) -> None:
-    """Append changes to those of the folder `out`; the last one of each criterion counts."""
+    """Append changes to the folder's file. For each criterion, only the last change counts."""
     with (out / OVERRIDES).open("a", encoding="utf-8") as file:
         for change in changes:
             file.write(json.dumps(encode(change), allow_nan=False, ensure_ascii=True) + "\n")
@@ -148,7 +156,7 @@ def keep(out: Path, changes: Iterable[Override]) -> None:
 
 
 def kept(out: Path) -> list[Override]:
-    """The changes of the folder `out` that count. Raises BadOption for a line that is none."""
+    """Return the folder's changes that are in force. Raises BadOption for an invalid line."""
     path = out / OVERRIDES
     found: dict[tuple[str, str, str], Override] = {}
     if not path.is_file():
@@ -168,7 +176,7 @@ def kept(out: Path) -> list[Override]:
 
 
 def with_changes(results: Iterable[Result], changes: Iterable[Override]) -> list[Result]:
-    """The results with all changes made that fit: to this answer, and a criterion that it still has."""
+    """Apply each change that was made for the current answer and an existing criterion. Return the results."""
     by_key: dict[StudentAndExercise, list[Override]] = {}
     for change in changes:
         by_key.setdefault((change.student, change.exercise), []).append(change)
@@ -182,7 +190,7 @@ def with_changes(results: Iterable[Result], changes: Iterable[Override]) -> list
 
 
 def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
-    """Sentences on changes that are kept and not applied, because what they were made for is no longer there."""
+    """Return a sentence for each saved change that no longer applies, because its answer or criterion has changed."""
     said = []
     for one in changes:
         result = results.get((one.student, one.exercise))
@@ -200,9 +208,9 @@ def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterab
 
 
 def deductions(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
-    """Return sentences on changes by which a student now has fewer points than the judge gives.
+    """Return a sentence for each change that gives a student fewer points than the judge does.
 
-    A change that was generous once takes points away after a corrected criterion.
+    After a criterion is corrected, a change that was once generous may take points away.
     """
     said = []
     for one in changes:

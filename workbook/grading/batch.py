@@ -1,4 +1,7 @@
-"""Grading a folder: find the answers, skip what is done, judge the rest on several slots, keep the books."""
+"""Grade a folder of answers on several slots.
+
+The run finds the answers, skips those already judged, judges the rest, and stores the results.
+"""
 
 import hashlib
 import os
@@ -24,14 +27,14 @@ from workbook.grading.skipped import about_skipped, find_skipped
 from workbook.grading.slots.pool import STOPPED_JUDGE
 
 UNREADABLE = "unreadable"
-"""In place of a time: there is a timestamp.txt, and no time could be read from it."""
+"""Stands for the time if a timestamp.txt exists but can't be read."""
 WRITTEN = tuple((name,) for name in ("recordings", PAGES, "gradescope"))
-"""Folders that grading makes among the results, as the first part of a path."""
+"""The folders that grading creates next to the results, as the first part of a path."""
 
 
 @dataclass(frozen=True)
 class BatchProgress:
-    """How far a batch is. `left_s` is None until the first answer is done."""
+    """A batch's progress. `left_s` is None until the first answer is done."""
 
     done: int
     total: int
@@ -43,12 +46,12 @@ class BatchProgress:
 
 @dataclass(frozen=True)
 class BatchSummary:
-    """What one run over a folder of answers did.
+    """The outcome of one run over a folder of answers.
 
-    `results`: of the answers below the paths of this run; `everything`: all results of the folder that count, by
-    student and exercise. `judged` answers were judged now, `kept` ones in an earlier run, in `seconds` altogether;
-    `frozen` of those that were kept were judged by other criteria than today's.
-    `broken`: lines of results.jsonl that are not a result. `remarks`: sentences on files and aliases that do not count.
+    `results`: the results of the answers below this run's paths. `everything`: all current results in the folder, by
+    student and exercise. This run judged `judged` answers in `seconds`; an earlier run judged the `kept` ones. `frozen`
+    of the kept answers were judged by other criteria than today's. `broken`: lines of results.jsonl that aren't
+    results. `remarks`: sentences on skipped files, unused aliases, and students without a hand-in.
     """
 
     results: tuple[Result, ...]
@@ -63,9 +66,10 @@ class BatchSummary:
 
 
 def _submitted_at(hand_in: HandIn) -> str | None:
-    """Return the text of the outermost `timestamp.txt` above an answer, in the folder of its student.
+    """Return the text of the outermost `timestamp.txt` above an answer, within the student's folder.
 
-    Others are the student's own. None if there is none, UNREADABLE if the outermost one cannot be read.
+    Inner ones are the student's own files. Return None if no file exists, and UNREADABLE if the outermost one can't be
+    read.
     """
     depth = max(1, len(Path(hand_in.label).parts) - 1)
     for folder in reversed([*hand_in.path.parents][:depth]):
@@ -82,7 +86,7 @@ def _submitted_at(hand_in: HandIn) -> str | None:
 
 
 def _file_sha(path: Path) -> str:
-    """SHA-256 of a file that could not be judged; empty for what is no file, or too large to read."""
+    """Return the SHA-256 of a file that couldn't be judged; empty if it isn't a file or is too large."""
     try:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return ""
@@ -93,10 +97,10 @@ def _file_sha(path: Path) -> str:
 
 
 class Batch:
-    """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time.
+    """Grades one exercise's hand-ins into the folder `out`. A run can be killed and started again at any time.
 
-    `retry_stopped`: whether answers that stopped the judge in an earlier run are judged again, though they have not
-    changed. `seed`: what the scripts of all answers are drawn from; None: another one for each try.
+    `retry_stopped`: also judge unchanged answers again if they stopped the judge in an earlier run. `seed`: seeds the
+    scripts of all answers; None draws a new seed for each try.
     """
 
     def __init__(
@@ -117,11 +121,11 @@ class Batch:
         self._roster = roster or Roster()
 
     def hand_ins(self, paths: Sequence[Path]) -> list[HandIn]:
-        """What is handed in below `paths`, under the names of the roster."""
+        """Return the hand-ins below `paths`, with the roster's names."""
         return self._roster.hand_ins(self._found(paths))
 
     def check_paths(self, paths: Sequence[Path]) -> None:
-        """Raises BadOption where nothing below `paths` is a hand-in."""
+        """Raise BadOption if there's no hand-in below `paths`."""
         if not self._found(paths):
             places = ", ".join(map(str, paths))
             remarks = about_skipped(find_skipped(paths))
@@ -132,20 +136,20 @@ class Batch:
         return [one for one in found if not self._is_ours(one.path)]
 
     def _is_ours(self, path: Path) -> bool:
-        """Whether grading writes this file or folder: where the results lie among the answers, they are none."""
+        """Return whether grading itself wrote this file or folder, which may lie among the answers."""
         path, out = path.resolve(), self._out.resolve()
         if path.is_dir() and (path == out or (path / RESULTS).is_file()):
             return True
         return path.is_relative_to(out) and path.relative_to(out).parts[:1] in WRITTEN
 
     def _remarks(self, paths: Sequence[Path], found: Sequence[HandIn]) -> tuple[str, ...]:
-        """What was skipped, and which aliases fit nothing, as sentences."""
+        """Return sentences on skipped files and unused aliases."""
         return tuple(
             filter(None, (about_skipped(find_skipped(paths)), about_unused(self._roster.unused(found))))
         )
 
     def _correct_times(self, hand_ins: Sequence[HandIn], file: ResultsFile) -> None:
-        """Store the times of hand-ins that have changed since an answer was judged. Nothing is judged again."""
+        """Store changed submission times for answers that were already judged, without judging them again."""
         known = last_results(self._out / RESULTS)
         for hand_in in hand_ins:
             result = known.get((hand_in.student, self._exercise.stem))
@@ -153,7 +157,7 @@ class Batch:
                 file.append(replace(result, submitted_at=moment))
 
     def _note(self, paths: Sequence[Path], hand_ins: Sequence[HandIn]) -> None:
-        """Store who has handed in; only folders hold the hand-ins of all students."""
+        """Store who has handed in. The list is complete only if all paths are folders."""
         students = [one.student for one in hand_ins]
         note(self._out, self._exercise.stem, students, whole=all(path.is_dir() for path in paths))
 
@@ -163,7 +167,7 @@ class Batch:
         everything: Iterable[StudentAndExercise],
         mine: Container[StudentAndExercise],
     ) -> Iterator[str]:
-        """A sentence on students with a result and without a hand-in below `paths`, if those are folders."""
+        """Yield a sentence on students with a result but no hand-in, if all `paths` are folders."""
         left = sorted(key[0] for key in everything if key[1] == self._exercise.stem and key not in mine)
         if left and all(path.is_dir() for path in paths):
             what = "1 earlier result has" if len(left) == 1 else f"{len(left)} earlier results have"
@@ -180,8 +184,8 @@ class Batch:
     ) -> BatchSummary:
         """Grade everything below `paths` that is new or changed.
 
-        `progress` is called after each answer; `stop` is asked before each new one. Raises FileNotFoundError for a
-        path that is not there, FolderInUse when another grader writes to the same folder.
+        Call `progress` after each answer, and `stop` before each new one. Raises FileNotFoundError for a path that
+        doesn't exist, and FolderInUse if another run writes to the same folder.
         """
         found = self._found(paths)
         hand_ins = self._roster.hand_ins(found)
@@ -218,7 +222,7 @@ class Batch:
 
 
 class _BatchRun:
-    """One run of a batch: what is done, and what is still to do. Results go to `file` as they come."""
+    """One run of a batch: its finished and its remaining answers. Each result is written to `file` right away."""
 
     def __init__(
         self,
@@ -244,7 +248,7 @@ class _BatchRun:
         return time.monotonic() - self._began
 
     def refuse_or_keep(self, hand_ins: Sequence[HandIn]) -> list[Job[HandIn]]:
-        """Refuse what cannot be judged, keep what an earlier run has judged. Returns the answers to judge now."""
+        """Record answers that can't be judged, and skip those judged earlier. Return the answers to judge now."""
         jobs: list[Job[HandIn]] = []
         self.total = len(hand_ins)
         for hand_in in hand_ins:
@@ -264,7 +268,7 @@ class _BatchRun:
         return jobs
 
     def judged(self, job: Job[HandIn], tries: Sequence[Judgement]) -> None:
-        """Take note of an answer that was judged now."""
+        """Record the result of an answer that was just judged."""
         self._add(
             graded_result(self._submission(job.key, job.answer.sha256, job.answer.note), tries, self._by)
         )
@@ -275,9 +279,9 @@ class _BatchRun:
         return Submission(hand_in.student, hand_in.label, sha256, _submitted_at(hand_in), attempt, note)
 
     def _keep(self, student: str, sha256: str) -> bool:
-        """Whether an earlier run has judged this very answer; it then counts as kept.
+        """Return whether an earlier run judged this exact answer, and if so, count it as kept.
 
-        The criteria may have changed since: a mark changes only where `--regrade` was asked for.
+        The criteria may have changed since then, but a mark changes only on request (`--regrade`).
         """
         known = self._earlier.get(student)
         kept = (

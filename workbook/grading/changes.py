@@ -1,4 +1,4 @@
-"""A mark that a person changed, as it is kept and as a result tells of it."""
+"""Define a change that a person makes to a mark, as it's stored and as a result describes it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -9,10 +9,10 @@ from workbook.recording.codec import NOT_STORED, UNKNOWN_FIELDS
 
 @dataclass(frozen=True)
 class Override:
-    """One change: `who` gave a student's answer `points` for a criterion, and why. None takes an earlier one back.
+    """A change to a mark: `who` gave an answer `points` for a criterion, and why. None undoes an earlier change.
 
-    `answer_sha256`: of the answer that it was made for; another answer is judged as ever. `before` and `title` are what
-    the result had before, and are not stored.
+    `answer_sha256` names the answer that the change applies to; it doesn't apply to any other answer. `before` and
+    `title` come from the earlier result, and aren't stored.
     """
 
     student: str
@@ -28,11 +28,11 @@ class Override:
 
     @property
     def key(self) -> tuple[str, str, str]:
-        """What is changed: the last change of it counts."""
+        """The student, exercise, and criterion. For each key, only the last change counts."""
         return self.student, self.exercise, self.criterion
 
     def told(self) -> str:
-        """The change as a sentence for the student."""
+        """Describe the change to the student in a sentence."""
         before = "not graded" if self.before is None else f"{self.before:g}"
         points = 0.0 if self.points is None else self.points
         return f"Changed by {self.who}: {self.title}, from {before} to {points:g} points. {self.reason}"

@@ -1,16 +1,18 @@
-"""The class on one page: marks, what fails most and why, and a map of students and criteria that leads to their pages.
+"""Render the class on one page: marks, common failures and causes, and a map with links to the students' pages.
 
-The page is one file. Its script, which sorts and filters the map, is the only one that its policy lets run.
+The page is one file. Its policy allows only one script, which sorts and filters the map.
 """
 
 import base64
 import hashlib
+import json
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from workbook.exercise.definition import Exercise
 from workbook.feedback.colors import COLORS, tint
@@ -24,7 +26,7 @@ SLOWEST = 5
 CAUSES = 8
 SIGHTS = 3
 MOST_STUDENTS = 3000
-"""In the map. A browser takes long to show more cells."""
+"""The most students on the map. Browsers are slow to show more cells."""
 GROUNDS = {
     "passed": tint("passed"),
     "partial": tint("partial", 0.4),
@@ -32,11 +34,13 @@ GROUNDS = {
     "skipped": tint("skipped", 0.25),
 }
 _SCRIPT = Path(__file__).parent / "templates" / "class.js"
+_FIGURE = Path(__file__).parents[1] / "lab" / "front_end" / "panel" / "figure.json"
+"""The robot's shapes, as data, because importing Matplotlib to draw them would slow grading down."""
 _NUMBER = re.compile(r"\d+(\.\d+)?")
 
 
 def class_page(results: Iterable[Result], exercise: Exercise) -> str:
-    """How the class did: points, what fails most and why, everybody at a glance, and what needs a look."""
+    """Render the class page: points, common failures, the map of all students, and answers to check by hand."""
     rows = by_student(results)
     graded = [row for row in rows if row.score is not None]
     shown = sorted(rows, key=lambda row: (row.score is None, row.score or 0.0, row.student))[:MOST_STUDENTS]
@@ -56,7 +60,8 @@ def class_page(results: Iterable[Result], exercise: Exercise) -> str:
         graded=graded,
         shown=shown,
         left_out=len(rows) - len(shown),
-        mean=_mean(graded),
+        head=_head(),
+        figures=_figures(rows, graded),
         isolation=_isolation(rows),
         judged_by=_judged_by(rows),
         distribution=_distribution(graded, round(exercise.max_points)),
@@ -79,13 +84,26 @@ def _script() -> str:
     return _SCRIPT.read_text(encoding="utf-8")
 
 
-def _mean(graded: Sequence[Result]) -> str:
+@cache
+def _head() -> list[dict[str, Any]]:
+    """Return the shapes of the robot's head while it works."""
+    parts = json.loads(_FIGURE.read_text(encoding="utf-8"))["parts"]
+    shown = (
+        one for one in parts if "neck" in one["joints"] and "operational" in one.get("faces", ["operational"])
+    )
+    return [shape for part in shown for shape in part["shapes"]]
+
+
+def _figures(rows: Sequence[Result], graded: Sequence[Result]) -> list[tuple[str, str]]:
+    """Return the class's key figures as pairs of label and value."""
+    figures = [("answer" if len(rows) == 1 else "answers", str(len(rows))), ("graded", str(len(graded)))]
     scores = sorted(row.score for row in graded if row.score is not None)
-    if not scores:
-        return ""
-    middle = (scores[(len(scores) - 1) // 2] + scores[len(scores) // 2]) / 2
-    full = sum(row.score is not None and row.score >= row.max_score for row in graded)
-    return f"Mean {sum(scores) / len(scores):.2g}, median {middle:g} points; full marks: {full}."
+    if scores:
+        middle = (scores[(len(scores) - 1) // 2] + scores[len(scores) // 2]) / 2
+        full = sum(row.score is not None and row.score >= row.max_score for row in graded)
+        mean = f"{sum(scores) / len(scores):.2g}"
+        figures += [("mean, points", mean), ("median, points", f"{middle:g}"), ("full marks", str(full))]
+    return figures
 
 
 def _isolation(rows: Sequence[Result]) -> str:
@@ -97,7 +115,7 @@ def _isolation(rows: Sequence[Result]) -> str:
 
 
 def _judged_by(rows: Sequence[Result]) -> str:
-    """The versions that judged; how many answers each judged where there are several."""
+    """Return which versions judged the answers. If there are several, add how many answers each one judged."""
     versions = Counter(row.versions.told() for row in rows).most_common()
     if len(versions) < 2:
         return "".join(f"Judged by {one}." for one, _ in versions)
@@ -105,15 +123,15 @@ def _judged_by(rows: Sequence[Result]) -> str:
 
 
 def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, float]]:
-    """For all points, rounded down, from the most to none: how many answers got them, as a share of the largest."""
+    """Return the histogram of points, rounded down: points, count, and share of the largest count."""
     bins = Counter(min(most, int(row.score)) for row in graded if row.score is not None)
     largest = max(bins.values(), default=1)
-    return [(points, bins[points], bins[points] / largest) for points in range(most, -1, -1)]
+    return [(points, bins[points], bins[points] / largest) for points in range(most + 1)]
 
 
 @dataclass(frozen=True)
 class _Column:
-    """A criterion of the map: its number there, in how many answers it was lost, and in how many not looked at."""
+    """A criterion on the map: its column, and how many answers lost it or weren't judged by it."""
 
     column: int
     id: str
@@ -122,9 +140,17 @@ class _Column:
     lost: int
     skipped: int
 
+    @property
+    def matters(self) -> bool:
+        """Whether at least one student didn't pass this criterion."""
+        return bool(self.lost or self.skipped)
+
 
 def _columns(graded: Sequence[Result]) -> list[_Column]:
-    """All criteria in the order of the exercise; one that carries no points only if somebody lost it."""
+    """Return all criteria in the exercise's order.
+
+    A criterion without points is listed only if a student failed it.
+    """
     lines: dict[str, list[CriterionLine]] = defaultdict(list)
     for row in graded:
         for one in row.criteria:
@@ -144,14 +170,14 @@ def _columns(graded: Sequence[Result]) -> list[_Column]:
 
 
 def _lines(row: Result, criteria: Sequence[_Column]) -> list[CriterionLine | None]:
-    """What a student got, column by column; None where nothing was judged."""
+    """Return a student's results, column by column; None for criteria that weren't judged."""
     found = {one.id: one for one in row.criteria}
     return [found.get(one.id) for one in criteria]
 
 
 @dataclass(frozen=True)
 class _Cause:
-    """Why a criterion was lost, in the words that those who lost it read, and what was seen of their programs."""
+    """A cause of lost criteria: its explanation in the feedback, and what the judge saw in these programs."""
 
     number: int
     column: int
@@ -167,7 +193,7 @@ class _Cause:
 
 
 def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Cause]:
-    """The most frequent first. Where the likely reason differs, the cause does (see `criteria.verdict`)."""
+    """Return the causes, most frequent first. If likely reasons differ, the causes do, too (see `criteria.verdict`)."""
     found: dict[tuple[str, str], list[tuple[str, CriterionLine]]] = defaultdict(list)
     for row in graded:
         for one in row.criteria:
@@ -195,7 +221,7 @@ def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Caus
 
 
 def _causes_of(causes: Sequence[_Cause]) -> Mapping[str, list[int]]:
-    """The numbers of the causes by student."""
+    """Return each student's causes by number."""
     numbers: dict[str, list[int]] = defaultdict(list)
     for cause in causes:
         for student in cause.who:

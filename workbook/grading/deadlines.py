@@ -1,4 +1,4 @@
-"""Read deadlines as instructors write them: for the whole class, and for single students."""
+"""Read deadlines as instructors write them, for the whole class and for individual students."""
 
 import csv
 import unicodedata
@@ -16,7 +16,7 @@ FORM = "2026-05-31T23:59, 2026-05-31T23:59+02:00, or 2026-05-31 for the end of t
 
 
 def zone_named(name: str | None) -> tzinfo | None:
-    """Return the time zone of that name; None, for the machine's own, if there is no name.
+    """Return the time zone with this name. No name returns None, which stands for the machine's own zone.
 
     Raises:
         BadOption: no zone has this name.
@@ -30,10 +30,10 @@ def zone_named(name: str | None) -> tzinfo | None:
 
 
 def parse_deadline(text: str, zone: tzinfo | None) -> datetime | None:
-    """Return the moment that a deadline names, with its zone; None if it cannot be read.
+    """Parse a deadline into a moment with a time zone. Return None if it's invalid.
 
-    A date alone means the end of that day. A time without a zone is read in `zone`, or in the machine's zone if that
-    is None. Where the clock is set back, a time occurs twice; the later moment counts, in the students' favor.
+    A date alone means the end of that day. A time without a zone is in `zone`, or in the machine's zone if `zone` is
+    None. When clocks are set back, a time occurs twice; the later moment counts, in the students' favor.
     """
     try:
         moment = datetime.fromisoformat(text.strip())
@@ -48,24 +48,24 @@ def parse_deadline(text: str, zone: tzinfo | None) -> datetime | None:
 
 
 def in_words(moment: datetime) -> str:
-    """Name a moment by local time, zone, and UTC, so that readers needn't guess which one is meant."""
+    """Format a moment as local time with offset and as UTC, so that readers needn't guess the zone."""
     utc = moment.astimezone(UTC)
     offset = moment.strftime("%z")
     return f"{moment:%Y-%m-%d %H:%M:%S} (UTC{offset[:3]}:{offset[3:5]}), which is {utc:%Y-%m-%d %H:%M:%S} UTC"
 
 
 def same_name(student: str) -> str:
-    """Return a form in which names that look alike are equal, however their accents are composed."""
+    """Normalize a name, so that names that look alike are equal even if their accents are composed differently."""
     return unicodedata.normalize("NFC", student.strip())
 
 
 def read_extensions(path: Path, zone: tzinfo | None) -> dict[str, datetime]:
-    """Read deadlines of single students: a CSV with the columns student and deadline, with or without that header.
+    """Read individual deadlines from a CSV with the columns student and deadline. The header is optional.
 
     Commas, semicolons, or tabs may separate the columns. The keys are names as `same_name` returns them.
 
     Raises:
-        BadOption: the file or a line cannot be used, or two lines give one student different deadlines.
+        BadOption: the file or a line is invalid, or two lines give one student different deadlines.
     """
     found: dict[str, datetime] = {}
     try:
@@ -94,7 +94,7 @@ def read_extensions(path: Path, zone: tzinfo | None) -> dict[str, datetime]:
 
 
 def about_unknown(extensions: Collection[str], students: Collection[str]) -> str:
-    """Return a sentence on extensions for students without a hand-in, with near names; empty if there are none."""
+    """Return a sentence on extensions for students without a hand-in, with similar names; empty if there are none."""
     known = {same_name(one) for one in students}
     told = []
     for name in sorted(set(extensions) - known):

@@ -1,7 +1,7 @@
-"""The gradebook in the forms of other systems. Every function here is a pure function of results.
+"""Export the gradebook to other systems' formats. Every function here is a pure function of results.
 
 Formats: Gradescope's results.json (docs/specs.md of its autograder samples), Canvas's gradebook CSV
-(gradebook_importer.rb), Moodle's grade import (CSV by ID number) and nbgrader's export (plugins/export.py).
+(gradebook_importer.rb), Moodle's grade import (CSV by ID number), and nbgrader's export (plugins/export.py).
 """
 
 import csv
@@ -21,7 +21,7 @@ FORMATS = ("csv", "html", "gradescope", "canvas", "moodle", "nbgrader")
 
 
 def by_student(results: Iterable[Result]) -> list[Result]:
-    """In the order of exercises and students."""
+    """Sort results by exercise and student."""
     return sorted(results, key=lambda result: (result.exercise, result.student))
 
 
@@ -32,7 +32,10 @@ def _rows(rows: Sequence[Sequence[object]]) -> str:
 
 
 def _said(result: Result) -> str:
-    """The feedback of one result in a few plain sentences, hidden criteria left out; first what a person changed."""
+    """Summarize a result's feedback in a few plain sentences, without hidden criteria.
+
+    A person's changes come first.
+    """
     return without_commands(f"{result.changed_by_hand()} {_judged(result)}".strip())
 
 
@@ -49,10 +52,10 @@ def _judged(result: Result) -> str:
 
 
 def gradescope(result: Result) -> str:
-    """Gradescope's results.json for one submission, as text.
+    """Return Gradescope's results.json for one submission, as text.
 
-    An answer that could not be graded has no score: Gradescope shows it as failed to run, and nobody gets a zero
-    from it.
+    An answer that couldn't be graded gets no score. Gradescope then shows that it failed to run, instead of counting it
+    as zero.
     """
     tests: list[dict[str, Any]] = []
     for number, one in enumerate(result.criteria, start=1):
@@ -93,9 +96,9 @@ def gradescope(result: Result) -> str:
 
 
 def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
-    """Canvas's gradebook, to be imported. `assignment` is its column there, such as "Exercise 09 (12345)".
+    """Return a CSV to import into Canvas. `assignment` is the exercise's column there, such as "Exercise 09 (12345)".
 
-    Students are found by their login. A result without a score leaves the cell empty, which Canvas leaves alone.
+    Canvas finds students by login. A result without a score leaves the cell empty, which Canvas ignores.
     """
     head: list[object] = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment]
     rows: list[list[object]] = [head, ["    Points Possible", "", "", "", "", f"{points:g}"]]
@@ -108,10 +111,10 @@ def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
 
 
 def moodle(results: Iterable[Result], item: str) -> str:
-    """A table for Moodle's grade import, where ID number is mapped to the students and `item` to the grade.
+    """Return a CSV for Moodle's grade import. Map ID number to the students, and `item` to the grade.
 
-    Moodle shows feedback as HTML, so what is markup in it is escaped. Results without a score are left out: an empty
-    grade would take an earlier one away.
+    Moodle shows feedback as HTML, so markup in it is escaped. Results without a score are left out, because an empty
+    grade would delete an earlier one.
     """
     rows: list[list[object]] = [["ID number", item, f"{item} (feedback)"]]
     mine = by_student(results)
@@ -130,7 +133,10 @@ NBGRADER = (
 
 
 def nbgrader(results: Iterable[Result], assignment: str | None = None) -> str:
-    """The columns of nbgrader's own export. `assignment`: its name there, where it is not that of the exercise."""
+    """Return a CSV with the same columns as nbgrader's own export.
+
+    `assignment`: the exercise's name in nbgrader, if it's a different one.
+    """
     rows: list[Sequence[object]] = [NBGRADER]
     for result in by_student(results):
         raw = None if result.score is None else round(result.score + result.late_points, 6)

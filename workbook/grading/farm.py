@@ -1,8 +1,8 @@
-"""Judging on the machines of a dask.distributed cluster: who is there, who gets which answer, and who is lost.
+"""Judge on a dask.distributed cluster: find the workers, hand out answers, and handle lost workers.
 
-The workers only start slots (`workbook.grading.farm_worker`). We choose the worker for each answer and never hand out
-more answers than there are threads, so that a worker that dies takes few answers with it, and we know which. Those are
-judged again elsewhere, each with a worker to itself: whoever takes that one down, too, harms nobody else.
+The workers only start slots (`workbook.grading.farm_worker`). We choose the worker for each answer, and never hand out
+more answers than there are threads. So a worker that dies loses few answers, and we know which ones. We judge them
+again elsewhere. Each gets a worker to itself, so an answer that kills a worker harms no other answer.
 """
 
 import json
@@ -27,13 +27,13 @@ from workbook.isolation.tiers import Isolation
 INTRODUCTION_S = 60.0
 PATIENCE_WITHOUT_WORKERS_S = 60.0
 TRIES = 3
-"""How often an answer is judged when the worker dies meanwhile: once, and twice more alone."""
+"""How often an answer is judged if its worker dies: once, and then twice more with a worker to itself."""
 _START_HERE = "Start it in the course's folder: .venv/bin/dask worker"
 
 
 @dataclass(eq=False)
 class _Machine:
-    """A worker, and how many answers it takes at once."""
+    """A worker, and its capacity in answers at the same time."""
 
     address: str
     places: int
@@ -54,7 +54,7 @@ class _Machine:
 
 @dataclass(eq=False)
 class _Task(Generic[Key]):
-    """A job, and how often it was lost."""
+    """A job, and how often it was lost with its worker."""
 
     job: Job[Key]
     losses: int = 0
@@ -68,10 +68,9 @@ class _Sent(Generic[Key]):
 
 
 class Farm:
-    """Judges on every worker of the scheduler at `address` that has this version of the course. See `GradingBackend`.
+    """Judges on every worker of the scheduler at `address` that has this course version. See `GradingBackend`.
 
-    `say` is told, a sentence each, which machines are not used, and which are lost. Use as a context manager. Raises
-    NoJudges.
+    `say` receives a sentence on each unused or lost machine. Use as a context manager. Raises NoJudges.
     """
 
     def __init__(self, address: str, isolation: Isolation, say: Callable[[str], None]) -> None:
@@ -94,17 +93,17 @@ class Farm:
 
     @property
     def isolation(self) -> Isolation:
-        """The tier of isolation that programs run in on every worker."""
+        """The isolation tier in which every worker runs programs."""
         return self._isolation
 
     @property
     def machines(self) -> int:
-        """Workers that judge."""
+        """The number of workers that judge."""
         return sum(machine.ready for machine in self._machines.values())
 
     @property
     def places(self) -> int:
-        """Answers that are judged at once."""
+        """The number of answers that can be judged at the same time."""
         return sum(machine.places for machine in self._machines.values() if machine.ready)
 
     def close(self) -> None:
@@ -137,9 +136,9 @@ class Farm:
         raise NoJudges(f"no worker at {self._address} can judge: " + "; ".join(self._refusals))
 
     def _muster(self) -> list[_Machine]:
-        """Ask the scheduler who is there, at most once a second. New workers are asked who they are.
+        """Ask the scheduler for its workers, at most once a second, and new workers for their properties.
 
-        Returns those that are gone. Raises NoJudges when the scheduler does not answer.
+        Return the workers that are gone. Raises NoJudges if the scheduler doesn't respond.
         """
         if time.monotonic() - self._mustered_at < LOOK_EVERY_S:
             return []
@@ -149,8 +148,8 @@ class Farm:
             threads: dict[str, int] = self._client.nthreads()
         except Exception as error:
             raise NoJudges(
-                f"the scheduler at {self._address} does not answer any more ({in_words(error)}). What was judged is "
-                "kept: start the scheduler and the workers again, and run the same command"
+                f"the scheduler at {self._address} does not answer any more ({in_words(error)}). Finished "
+                "judgments are kept: start the scheduler and the workers again, and run the same command"
             ) from error
         self._mustered_at = time.monotonic()
         gone = [machine for address, machine in self._machines.items() if address not in threads]
@@ -162,7 +161,7 @@ class Farm:
                 question.cancel()
                 self.refuse(
                     machine,
-                    f"it ended before it answered the grader's first request. {_START_HERE} {self._address}",
+                    f"it ended before it answered our first request. {_START_HERE} {self._address}",
                 )
         for address, places in threads.items():
             if address not in self._machines:
@@ -191,7 +190,7 @@ class Farm:
         return future
 
     def _meet(self, key: str) -> bool:
-        """Take note of who a worker is, if that is what `key` is about. Returns whether it was."""
+        """Handle a new worker's reply, if `key` belongs to one. Return whether it did."""
         if key not in self._questions:
             return False
         machine, question = self._questions.pop(key)
@@ -209,7 +208,7 @@ class Farm:
         return True
 
     def refuse(self, machine: _Machine, why: str) -> None:
-        """Stop using a worker for the rest of the run, and report why; does nothing if it is refused already."""
+        """Stop using a worker for the rest of the run, and report why. If it's already refused, do nothing."""
         if machine.refused:
             return
         machine.ready, machine.refused = False, True
@@ -221,7 +220,7 @@ class Farm:
     def judge_all(
         self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """See `GradingBackend`. Raises NoJudges when the scheduler is lost, or no worker is left for a minute."""
+        """See `GradingBackend`. Raises NoJudges if the scheduler is lost, or no worker is left for a minute."""
         distribution = _Distribution(self, jobs, soak)
         try:
             while True:
@@ -243,11 +242,11 @@ class Farm:
             distribution.cancel()
 
     def ready_machines(self) -> list["_Machine"]:
-        """The workers that answers can be sent to now."""
+        """Return the workers that can receive answers now."""
         return [machine for machine in self._machines.values() if machine.ready]
 
     def send(self, job: Job[Key], soak: bool, machine: "_Machine") -> Any:
-        """Let a machine judge an answer. Returns the future of its reply."""
+        """Send an answer to a worker. Return the future of its reply."""
         return self._submit(machine, farm_worker.judge, self._order(job, soak, machine))
 
     def _order(self, job: Job[Key], soak: bool, machine: _Machine) -> str:
@@ -263,7 +262,7 @@ class Farm:
         ).to_text()
 
     def announce_loss(self, machine: _Machine) -> None:
-        """Report that a worker is gone, and how many of its answers are judged again elsewhere."""
+        """Report that a worker is gone, and how many of its answers will be judged again elsewhere."""
         if not machine.ready:
             return
         again = len(machine.under_way)
@@ -271,21 +270,21 @@ class Farm:
         self._say(f"{machine} is gone." + (f" Its {what} judged again elsewhere." if again else ""))
 
     def _expect_somebody(self) -> None:
-        """Raises NoJudges when there has been no worker for a minute."""
+        """Raise NoJudges if there has been no worker for a minute."""
         if any(machine.ready for machine in self._machines.values()):
             return
         if time.monotonic() - self._seen_at > PATIENCE_WITHOUT_WORKERS_S:
             why = f" ({'; '.join(self._refusals)})" if self._refusals else ""
             raise NoJudges(
-                f"no worker is left at {self._address}{why}. What was judged is kept: start workers, and run the same "
-                "command again"
+                f"no worker is left at {self._address}{why}. Finished judgments are kept: start workers, and run "
+                "the same command again"
             )
 
 
 class _Distribution(Generic[Key]):
-    """Which answers wait, which are under way on which machine, and which are to be judged again, alone.
+    """Tracks which answers are waiting, which are under way on which worker, and which must be judged again alone.
 
-    An answer is settled when its judgement is there, or when it was lost too often.
+    An answer is settled when its judgment has arrived or it was lost too often.
     """
 
     def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], soak: bool) -> None:
@@ -301,11 +300,11 @@ class _Distribution(Generic[Key]):
 
     @property
     def is_left(self) -> bool:
-        """Whether answers wait that nobody judges yet."""
+        """Whether some answers are still waiting for a worker."""
         return bool(self._waiting or self._suspects)
 
     def hand_out(self) -> None:
-        """Fill the free places. A suspect gets a machine to itself."""
+        """Fill the free places. A suspect (an answer whose worker died) gets a worker to itself."""
         ready = self._farm.ready_machines()
         while self._waiting and ready:
             machine = max(ready, key=lambda one: one.free)
@@ -317,14 +316,14 @@ class _Distribution(Generic[Key]):
                 self._send(self._suspects.popleft(), machine)
 
     def give_up_on(self, machine: _Machine) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Take back what a machine had that is gone. Yields what is settled by that."""
+        """Take back a lost machine's answers. Yield the ones that are now settled."""
         self._farm.announce_loss(machine)
         for key in list(machine.under_way):
             self._sent[key].future.cancel()
             yield from self._lost(self._take_back(key), f"{machine} went away")
 
     def settle(self, key: str) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Take note of a reply. Yields what is settled by it: nothing where the answer is judged again."""
+        """Handle a reply. Yield the answer that it settles; yield nothing if the answer will be judged again."""
         if key not in self._sent:
             return
         machine, future = self._sent[key].machine, self._sent[key].future
@@ -347,7 +346,7 @@ class _Distribution(Generic[Key]):
             yield from self._lost(task, f"{why} (on {machine})")
 
     def cancel(self) -> None:
-        """Let go of all that is under way."""
+        """Cancel all answers that are under way."""
         for one in self._sent.values():
             one.machine.under_way.clear()
             one.machine.alone = False
@@ -384,12 +383,15 @@ def _judged_criteria(stem: str) -> dict[str, float]:
 
 
 def _checked(data: object, job: Job[Key]) -> Judgement:
-    """The judgement of this answer. Raises ValueError when it is damaged, of another answer, or by other criteria."""
+    """Decode the judgment of this answer.
+
+    Raises ValueError if it's damaged, belongs to another answer, or used other criteria.
+    """
     judgement = judgement_from_afar(data, job.stem, job.answer.sha256)
     if judgement.status == "graded":
         judged = {one.id: one.max_points for one in judgement.criteria}
         if judged != _judged_criteria(judgement.stem) or len(judged) != len(judgement.criteria):
-            raise ValueError("the answer was judged by other criteria than those of this course")
+            raise ValueError("the answer was judged by other criteria than this course's")
     return judgement
 
 

@@ -1,4 +1,4 @@
-"""The way to a dask.distributed cluster and back: connecting to a scheduler, and fetching what workers reply."""
+"""Connect to a dask.distributed scheduler, and fetch the workers' replies."""
 
 import asyncio
 import json
@@ -14,18 +14,18 @@ CONNECT_S = 10.0
 FETCH_S = 30.0
 LOOK_EVERY_S = 1.0
 LARGEST_REPLY = 300_000_000
-"""Characters. A recording may hold thousands of messages."""
+"""In characters. A recording may contain thousands of messages."""
 _ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9A-Fa-f:.]+\]|[\w.-]+):\d{1,5}")
 
 
 def check_address(address: str) -> None:
-    """Raises NoJudges for what is no address of a scheduler."""
+    """Raise NoJudges if a scheduler's address is invalid."""
     if not _ADDRESS.fullmatch(address):
         raise NoJudges(f"--farm {address}: write it as tcp://host:8786, as the scheduler prints it")
 
 
 def connect(address: str) -> Any:
-    """A client of the scheduler. Raises NoJudges."""
+    """Connect to the scheduler, and return the client. Raises NoJudges."""
     try:
         from distributed import Client, Security
     except ImportError as error:
@@ -34,7 +34,7 @@ def connect(address: str) -> Any:
             "make env EXTRAS=farm"
         ) from error
     for name in [*logging.root.manager.loggerDict]:
-        if name.split(".")[0] in ("distributed", "tornado"):  # for developers; we say ourselves what matters
+        if name.split(".")[0] in ("distributed", "tornado"):  # for developers; we report what matters
             logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     try:
         security = Security()
@@ -60,17 +60,17 @@ def connect(address: str) -> Any:
 
 
 def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
-    """Exception handler of an event loop that ignores canceled waits for lost replies, and passes on all other errors.
+    """Ignore an event loop's canceled waits for lost replies; handle all other exceptions as usual.
 
-    When the worker that holds a reply is lost while the reply is fetched, distributed waits for it anew. We give up and
-    cancel the reply; that wait then ends with AllExit, and nobody is left to receive it.
+    If a worker is lost while we fetch its reply, distributed waits for the reply again. We give up and cancel the
+    reply. That wait then ends with AllExit, which none of our code receives.
     """
     if type(context.get("exception")).__name__ != "AllExit":
         loop.default_exception_handler(context)
 
 
 def _fetch(future: Any) -> object:
-    """The reply of work that is finished. Raises RuntimeError as soon as its worker is seen to be lost."""
+    """Fetch the reply of a finished task. Raises RuntimeError as soon as its worker is known to be lost."""
 
     async def fetched() -> object:
         return await future.client.gather(future, asynchronous=True)
@@ -87,7 +87,7 @@ def _fetch(future: Any) -> object:
 
 
 def text_of(future: Any) -> str:
-    """What a worker replied. Raises RuntimeError when it did not."""
+    """Return a worker's reply as text. Raises RuntimeError if there's no valid reply."""
     if future.status != "finished":
         error = future.exception(timeout=FETCH_S) if future.status == "error" else None
         raise RuntimeError(in_words(error) if error is not None else f"the work was {future.status}")
@@ -98,7 +98,7 @@ def text_of(future: Any) -> str:
 
 
 def reply_in(text: str) -> dict[str, Any]:
-    """A reply, which has one of the known keys. Raises ValueError."""
+    """Parse a reply, which must have one of the known keys. Raises ValueError otherwise."""
     reply = json.loads(text, parse_constant=no_constant)
     if not isinstance(reply, dict) or not reply.keys() & {"judgement", "refused", "fault", "elsewhere"}:
         raise ValueError("the reply is damaged")
@@ -106,6 +106,6 @@ def reply_in(text: str) -> dict[str, Any]:
 
 
 def in_words(error: BaseException) -> str:
-    """The first line of an error, or its name, for people."""
+    """Return an error's first line, or its type's name, for people to read."""
     first = "".join(one for one in str(error).strip().split("\n")[0][:200] if one.isprintable())
     return first or type(error).__name__

@@ -1,7 +1,7 @@
-"""What runs inside a worker of the farm: it starts slots, hands answers to them, and keeps them warm in between.
+"""Run inside a worker of the farm: start slots, hand answers to them, and keep them warm in between.
 
-No answer runs in here. What comes in is an order, what goes out is a reply, both as JSON text. dask pickles that text,
-and whatever an answer has touched is no more than characters in it.
+No answer runs in this process. It receives an order and returns a reply, both as JSON text. Dask pickles only that
+text, so data from an answer is never unpickled as objects.
 """
 
 import hashlib
@@ -26,17 +26,17 @@ from workbook.recording.codec import decode, encode
 from workbook.ros.scratch import scratch_folder
 
 IDLE_S = 60.0
-"""How long (s) a slot waits for the next answer before it is ended: about 100 MB of memory each."""
+"""How long (s) an idle slot waits for the next answer before it's ended. Each slot uses about 100 MB of memory."""
 PROCESS = secrets.token_hex(8)
-"""This very process: an order for another one is not followed, whatever address both have."""
+"""Identifies this process. It doesn't follow orders for another process, even one that had the same address."""
 
 
 @dataclass(frozen=True)
 class FarmJob:
-    """One answer to judge, as it is sent to a worker.
+    """One answer to judge, as sent to a worker.
 
-    `course`: hash of the sender's version of the course, which the worker must have, too. `own_criteria`: the text of
-    an instructor's own criteria. `process`: the worker process that the job is meant for.
+    `course`: hash of the sender's course version, which the worker must have, too. `own_criteria`: the text of an
+    instructor's own criteria. `process`: the worker process that the job is meant for.
     """
 
     exercise: str
@@ -49,12 +49,12 @@ class FarmJob:
     seed: int | None = None
 
     def to_text(self) -> str:
-        """The job as JSON."""
+        """Return the job as JSON."""
         return json.dumps(encode(self))
 
 
 def rclpy_version() -> str:
-    """The version of the rclpy wheel; "system" where rclpy is not installed as a wheel."""
+    """Return the rclpy wheel's version; "system" if rclpy isn't installed as a wheel."""
     try:
         return metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -62,7 +62,7 @@ def rclpy_version() -> str:
 
 
 def python_version() -> str:
-    """Without the last number: 3.12."""
+    """Return Python's version without the patch number, such as 3.12."""
     return ".".join(platform.python_version_tuple()[:2])
 
 
@@ -77,7 +77,10 @@ _COURSE_LOADED = _course_now()
 
 
 def course_problem(wanted: str) -> str | None:
-    """Why answers cannot be judged here by the version of the course whose hash is `wanted`; None when they can."""
+    """Return why this worker can't judge with the course version whose hash is `wanted`.
+
+    Return None if it can.
+    """
     now = _course_now()
     if now == wanted == _COURSE_LOADED:
         return None
@@ -89,12 +92,12 @@ def course_problem(wanted: str) -> str | None:
         return str(error)
     return (
         f"it has another version of the course in {folder} ({now[:10]}, and not {wanted[:10]}). Bring both to the same "
-        "commit, without changes of your own, and start the worker again"
+        "commit, without local changes, and start the worker again"
     )
 
 
 def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str:
-    """Who this worker is, as JSON, and its `problem`: why it cannot judge as it is asked to; null if it can."""
+    """Return the worker's properties as JSON. `problem` says why it can't judge as requested; null if it can."""
     problem = course_problem(course)
     if problem is None and (rclpy_version(), python_version()) != (rclpy, python):
         problem = (
@@ -109,14 +112,15 @@ def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str
 
 
 def judge(text: str) -> str:
-    """Judge the answer of a `FarmJob`, given as JSON. Returns the reply as JSON.
+    """Judge the answer of a `FarmJob`, given as JSON. Return the reply as JSON.
 
-    The reply has one key: "judgement", "refused" (why no answer can be judged here any more), "fault" (why this one was
-    not judged), or "elsewhere" (the job was meant for another process).
+    The reply has one key. The key `judgement` contains the result. The key `refused` says why this worker can judge no
+    more answers. The key `fault` says why it couldn't judge this answer. The key `elsewhere` means that the job was
+    meant for another process.
     """
     try:
         return json.dumps(_judge(decode(FarmJob, json.loads(text))), allow_nan=False)
-    except Exception as error:  # whatever it is goes back as words: exceptions would be pickled
+    except Exception as error:  # we return any exception as text, because an exception would be pickled
         return json.dumps({"fault": f"{type(error).__name__}: {error}"})
 
 
@@ -142,7 +146,7 @@ _criteria: Path | None = None
 
 
 def _folder_of(stem: str, text: str | None) -> Path | None:
-    """A folder with an instructor's own criteria, as they came with the order."""
+    """Return a folder with the order's own criteria; None if the order has none."""
     global _criteria
     if text is None:
         return None

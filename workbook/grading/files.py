@@ -8,7 +8,7 @@ from pathlib import Path
 def write_whole(path: Path, text: str, *, bom: bool = False) -> Path:
     """Write a text file atomically: readers see the old version until the new one is complete. Return the path.
 
-    `bom`: begin with a byte order mark, without which Excel reads accents as two letters.
+    `bom`: begin with a byte order mark. Without it, Excel shows each accented letter as two characters.
 
     Raises:
         OSError: the file cannot be written; the error names it, also when the disk is full.
@@ -27,7 +27,7 @@ def write_whole(path: Path, text: str, *, bom: bool = False) -> Path:
 
 @contextmanager
 def naming(path: Path) -> Iterator[None]:
-    """Add `path` to an OSError that names no file, such as that of a full disk."""
+    """Add `path` to an OSError that names no file, such as the error for a full disk."""
     try:
         yield
     except OSError as error:

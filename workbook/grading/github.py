@@ -1,8 +1,8 @@
-"""What was pushed to a class repository: a summary for its page, and results in the form of GitHub Classroom.
+"""Grade a push to a class repository: write a summary for its page, and results in GitHub Classroom's format.
 
 Classroom's reporter (classroom-resources/autograding-grading-reporter) reads one result for each *runner*: base64 of
-JSON, in a variable that is called after the runner. It fails on a result without `tests`, and counts passed tests where
-their points differ. So there is one runner for each criterion, and each has exactly one test.
+JSON, in a variable with the runner's name. It fails on a result without `tests`, and if points differ, it counts passed
+tests. So each criterion has its own runner, with exactly one test.
 """
 
 import base64
@@ -30,7 +30,7 @@ NOTHING = "Nothing is handed in for this exercise yet."
 
 @dataclass(frozen=True)
 class Pushed:
-    """What came of one exercise; `result` is None when nothing was handed in for it."""
+    """The result of one exercise. `result` is None if the student handed in nothing for it."""
 
     exercise: Exercise
     result: Result | None
@@ -39,11 +39,11 @@ class Pushed:
 def grade_pushed(
     exercises: Sequence[Exercise], folder: Path, out: Path, isolation: Isolation
 ) -> tuple[Pushed, ...]:
-    """Judge the answers in a student's folder, one exercise after another; recordings go below `out`."""
+    """Judge the answers in a student's folder, exercise by exercise. Store recordings below `out`."""
     found = []
     for exercise in exercises:
         hand_in = hand_in_named(WHOSE, folder, exercise.stem)
-        if hand_in is None and len(exercises) == 1:  # then the only answer needs no name, as in `grade`
+        if hand_in is None and len(exercises) == 1:  # like `grade`, we accept a single answer under any name
             only = hand_in_below(WHOSE, folder / "answers", exercise.stem)
             hand_in = only if only.problem is None else None
         result = None if hand_in is None else grade_one(exercise, hand_in, out, isolation)
@@ -55,13 +55,13 @@ def grade_pushed(
 
 
 def runners(exercise: Exercise) -> dict[str, Criterion]:
-    """The criteria that carry points, by the runner that reports each: letters and digits only."""
+    """Return the criteria that carry points, keyed by runner name. Names have only letters and digits."""
     worth = [criterion for criterion in exercise.criteria if criterion.points > 0]
     return {f"e{exercise.stem[:2]}c{number}": criterion for number, criterion in enumerate(worth, start=1)}
 
 
 def classroom(pushed: Pushed) -> dict[str, dict[str, Any]]:
-    """Classroom's JSON for each runner of an exercise."""
+    """Return Classroom's JSON for each runner of an exercise."""
     result = pushed.result
     if result is None:
         return {name: _one(one, "fail", 0.0, NOTHING) for name, one in runners(pushed.exercise).items()}
@@ -74,12 +74,12 @@ def classroom(pushed: Pushed) -> dict[str, dict[str, Any]]:
 
 
 def not_run(criterion: Criterion) -> dict[str, Any]:
-    """Classroom's JSON for a criterion when the grader itself did not finish."""
-    return _one(criterion, "error", 0.0, "The grader did not finish. This is not the program's fault.")
+    """Return Classroom's JSON for a criterion if the judge itself didn't finish."""
+    return _one(criterion, "error", 0.0, "The judge did not finish. This is not the program's fault.")
 
 
 def encoded(result: Mapping[str, Any]) -> str:
-    """A result as Classroom's reporter takes it from a variable."""
+    """Encode a result for the variable that Classroom's reporter reads."""
     return base64.b64encode(json.dumps(result, ensure_ascii=True, allow_nan=False).encode()).decode()
 
 
@@ -106,7 +106,7 @@ def _one(criterion: Criterion, status: str, score: float, message: str) -> dict[
 
 
 def summary(pushed: Sequence[Pushed], out: Path, isolation: Isolation) -> str:
-    """Markdown for the page of a run: points at a glance, then a card for each answer."""
+    """Render a run's summary as Markdown: an overview of the points, then a card for each answer."""
     return render(
         "grading/run_summary",
         pushed=pushed,
@@ -129,7 +129,7 @@ def _points(one: Pushed) -> str:
 
 
 def all_hold(pushed: Sequence[Pushed]) -> bool:
-    """Whether an answer was handed in, and everything that is shown holds in every one that was."""
+    """Return whether something was handed in, and each answer passed all criteria that aren't hidden."""
     return any(one.result is not None for one in pushed) and all(
         one.result is None
         or (

@@ -1,4 +1,4 @@
-"""The gradebook: everything that is made from results.jsonl. grades.csv, pages, and the forms of other systems."""
+"""Write the gradebook from results.jsonl: grades.csv, pages, and exports for other systems."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -20,10 +20,10 @@ GRADES = "grades.csv"
 
 @dataclass(frozen=True)
 class GradebookOptions:
-    """What to make of the results besides grades.csv.
+    """The exports to write in addition to grades.csv.
 
-    `column`: what Canvas and Moodle call the exercise. `assignment`: what nbgrader calls it. `bom`: whether tables for
-    people and for Canvas and Moodle begin with a byte order mark; nbgrader's never does.
+    `column`: the exercise's name in Canvas and Moodle. `assignment`: its name in nbgrader. `bom`: whether tables begin
+    with a byte order mark; nbgrader's never does.
     """
 
     formats: tuple[str, ...] = ()
@@ -39,10 +39,9 @@ def write_gradebook(
     results: Mapping[StudentAndExercise, Result],
     options: GradebookOptions | None = None,
 ) -> list[Path]:
-    """Write grades.csv and the forms that were asked for below `out`. Returns the files and folders written.
+    """Write grades.csv and the requested exports below `out`. Return the files and folders written.
 
-    Marks that a person has changed (see `appeals`) are changed in all of them. Raises BadOption where those cannot be
-    read.
+    All of them include the marks that a person changed (see `appeals`). Raises BadOption if those can't be read.
     """
     options = options or GradebookOptions()
     changed = with_changes(with_a_hand_in(out, results.values()), kept(out))

@@ -1,4 +1,4 @@
-"""grades.csv: a pure function of the results."""
+"""Build grades.csv, as a pure function of the results."""
 
 import csv
 import hashlib
@@ -13,13 +13,13 @@ from workbook.recording.plain_text import without_commands
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 _MARK = re.compile(r"\[[0-9a-f]{12}\]$")
 _FORMULA_STARTS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
-"""The wide ones as well: spreadsheets take them for the others where East Asian text is typed."""
+"""Includes the full-width forms, because spreadsheets with East Asian input treat them like the others."""
 
 
 def safe_cell(value: object) -> str:
-    """Text that no spreadsheet takes for a formula: a leading = + - @ gets an apostrophe.
+    """Return text that no spreadsheet interprets as a formula: a leading = + - @ gets an apostrophe in front.
 
-    Control characters become spaces, and what nobody can see goes.
+    Control characters become spaces, and invisible characters are removed.
     """
     if value is None:
         return ""
@@ -30,9 +30,9 @@ def safe_cell(value: object) -> str:
 
 
 def student_cell(student: str) -> str:
-    """A student's name as text that no other student's name becomes.
+    """Return text for a student's name that's unique to this name.
 
-    Most names stay as they are. One that tables cannot hold as it is, or that importers trim, gets a mark of its own.
+    Most names stay unchanged. A name that tables can't hold unchanged, or that importers trim, gets its own mark.
     """
     cell = safe_cell(student)
     tame = cell == student and student.isprintable() and "  " not in student and not student.startswith("'")
@@ -45,14 +45,15 @@ def _marked(student: str) -> str:
 
 
 def cells_of(student: str) -> set[str]:
-    """All texts that stand for a student in some table (see `logins`)."""
+    """Return all texts that may stand for a student in a table (see `logins`)."""
     return {student_cell(student), _marked(student)}
 
 
 def logins(students: Iterable[str]) -> dict[str, str]:
-    """The students' cells for an importer that finds them by login, whatever capitals and accents are made of.
+    """Return the students' cells for an importer that finds them by login and may ignore case and accents.
 
-    Of names that it may take for one login, each gets its mark: it then finds nobody, which is better than another.
+    If the importer might treat several names as one login, each name gets a mark. Then it finds no student, which is
+    better than the wrong one.
     """
     by_login: dict[str, set[str]] = {}
     for student in students:
@@ -66,7 +67,7 @@ def logins(students: Iterable[str]) -> dict[str, str]:
 
 
 def grades_csv(results: Iterable[Result]) -> str:
-    """One row per student and exercise, a column of points per criterion.
+    """Return the CSV: one row per student and exercise, and a column of points per criterion.
 
     An answer without a score has an empty cell, never a zero.
     """

@@ -1,4 +1,4 @@
-"""One submission at Gradescope: what its results.json says, whatever happened."""
+"""Grade one Gradescope submission, and write results.json even if grading fails."""
 
 import json
 from pathlib import Path
@@ -15,16 +15,16 @@ from workbook.recording.codec import encode
 from workbook.recording.plain_text import without_commands
 
 FAULT = (
-    "infra_error: this submission was not judged because of an error in the grader, not in the program ({reason}). "
-    "It has no score, and no points are lost. Submit again, or ask your instructor to run the autograder again."
+    "infra_error: this submission was not judged because of an error in the judge, not in the program ({reason}). "
+    "It has no score, so no points are lost. Submit again, or ask your instructor to run the autograder again."
 )
 
 
 def results_json(result: Result) -> str:
-    """results.json for Gradescope, which wants a score at the top or in a test.
+    """Return results.json for Gradescope, which requires a score at the top level or in a test.
 
-    An answer that cannot be judged (no file, two files, an empty one) fails one test that says why: the student can
-    submit again. After a fault of ours there is no score at all, so that Gradescope takes no points away.
+    An answer that can't be judged (no file, two files, an empty one) fails one test. That test gives the reason, so the
+    student can submit again. After an error of ours, there's no score at all, so Gradescope takes no points away.
     """
     data: dict[str, Any] = json.loads(gradescope(result))
     if result.status == "infra_error":
@@ -55,7 +55,7 @@ def _unjudged(result: Result) -> dict[str, Any]:
 
 
 def fault_json(reason: str) -> str:
-    """results.json for a submission that could not even be looked at."""
+    """Return results.json for a submission that we couldn't even read."""
     data = {
         "output": without_commands(FAULT.format(reason=reason)),
         "output_format": "text",
@@ -67,7 +67,7 @@ def fault_json(reason: str) -> str:
 
 
 def grade_submission(exercise: Exercise, submission: Path, results: Path, isolation: str) -> Result:
-    """Judge what lies in the folder `submission` and write the file `results`. Raises NoSandbox, OSError."""
+    """Judge the answer in the folder `submission`, and write the file `results`. Raises NoSandbox, OSError."""
     hand_in = hand_in_below("submission", submission, exercise.stem)
     result = grade_one(exercise, hand_in, results.parent, choose_isolation(isolation))
     write_whole(results, results_json(result))

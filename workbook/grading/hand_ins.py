@@ -1,4 +1,4 @@
-"""Finding the answers in what an instructor has: files, one folder per student, notebooks, nbgrader's layout."""
+"""Find the answers in an instructor's files: single files, notebooks, one folder per student, or nbgrader's layout."""
 
 import os
 import re
@@ -14,21 +14,21 @@ ARCHIVE_SUFFIXES = (".zip", ".gz", ".tgz", ".tar", ".bz2", ".xz", ".zst", ".7z",
 SHADOWS = frozenset(
     {"conftest", "sitecustomize", "usercustomize", "setup", "rclpy", "std_msgs", "geometry_msgs"}
 )
-"""Names of files that are no answers, but would get between a program and the module of that name."""
+"""Names of files that aren't answers, and that a program would import instead of the module with that name."""
 _ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
 SKIPPED_FOLDERS = frozenset(
     {"__pycache__", ".ipynb_checkpoints", "__MACOSX", "venv", "env", "site-packages", "node_modules"}
 )
 DEEPEST = 100
-"""Folders within folders. Archives and disks nest a few, and a path may have some thousand."""
+"""Limits how deeply folders may be nested. Archives and disks nest a few; a path could nest thousands."""
 _LOOKS_LIKE_ONE = re.compile(r"\.(py\w?|ipynb)(?![^\W\d_])", re.IGNORECASE)
 _BESIDE_OTHERS = "._"
-"""How names of files begin that macOS puts beside others."""
+"""The prefix of the metadata files that macOS puts next to other files."""
 
 
 @dataclass(frozen=True)
 class HandIn:
-    """One student's answer. `label` is the path as results name it; `problem` is set when none can be judged."""
+    """One student's answer. `label` is its path as shown in results. `problem` is set if it can't be judged."""
 
     student: str
     path: Path
@@ -41,7 +41,10 @@ def _is_answer(path: Path) -> bool:
 
 
 def why_no_answer(name: str) -> str | None:
-    """Why a file whose name looks like that of an answer is none; None for an answer, and for all other files."""
+    """Return why a file isn't an answer although its name looks like one.
+
+    Return None for an answer, and for all other files.
+    """
     path = Path(name)
     if _is_answer(path) or not _LOOKS_LIKE_ONE.search(name):
         return None
@@ -50,7 +53,7 @@ def why_no_answer(name: str) -> str | None:
     if name.startswith("."):
         return "its name begins with a dot, so it counts as hidden: rename it"
     if name.startswith("__"):
-        return "its name begins with two underscores, as those of Python's own files do: rename it"
+        return "its name begins with two underscores, like the names of Python's own files: rename it"
     suffix = path.suffix
     if suffix.lower() in ANSWER_SUFFIXES:
         return f"its name ends in {suffix}, so rename it to {path.stem}{suffix.lower()}"
@@ -59,9 +62,9 @@ def why_no_answer(name: str) -> str | None:
 
 
 def walk(top: Path) -> Iterator[tuple[str, list[str], list[str]]]:
-    """As `os.walk` from the top down, for folders of strangers: however deep they are, that is no error.
+    """Walk a folder from the top down, like `os.walk`, but without failing on untrusted folders of any depth.
 
-    Nobody looks below `DEEPEST` folders. What cannot be read is left out, and no link is followed.
+    The walk goes down at most `DEEPEST` folders. It skips unreadable folders, and follows no links.
     """
     waiting = [(str(top), 0)]
     while waiting:
@@ -98,7 +101,7 @@ def _files_below(folder: Path) -> list[Path]:
 
 
 def names_exercise(path: Path, stem: str) -> bool:
-    """Whether a file says by its name or its `%%answer` line that it answers `stem`."""
+    """Return whether a file's name or its `%%answer` line names the exercise `stem`."""
     return _named_after(path.stem, stem) or any(means(name, stem) for name in exercises_named(path))
 
 
@@ -107,19 +110,19 @@ def _named_after(name: str, stem: str) -> bool:
 
 
 def hand_in_below(student: str, folder: Path, stem: str) -> HandIn:
-    """The one answer to `stem` that lies anywhere below `folder`, which is all that `student` handed in."""
+    """Return the one answer to `stem` anywhere below `folder`, which contains everything that `student` handed in."""
     if not folder.is_dir():
         return HandIn(student, folder, folder.name, "nothing was handed in")
     return _choose(student, folder, folder, stem)
 
 
 def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
-    """The answer to `stem` in a folder with answers to several exercises; None when no file names this one.
+    """Return the answer to `stem` in a folder with several exercises' answers; None if no file is named after it.
 
-    Answers may lie beside other things: where there is a folder `answers`, only that one is looked at.
+    Answers may lie next to other files. If there's a folder `answers`, only that folder is searched.
     """
     place = folder / "answers"
-    if place.is_symlink():  # it may lead to the solutions
+    if place.is_symlink():  # the link may lead to the solutions
         return HandIn(student, place, place.name, "`answers` is a symbolic link: links are not followed")
     if place.is_dir():
         folder = place
@@ -154,10 +157,10 @@ def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
 
 
 def _why_nothing(folder: Path) -> str:
-    """What is wrong with a folder without an answer."""
+    """Describe why a folder has no answer."""
     shadows = sorted({path.name for path in _files_below(folder)})
     if shadows:
-        return f"the folder holds only {', '.join(shadows)}: an answer needs a name that no module of ROS or Python has"
+        return f"the folder holds only {', '.join(shadows)}: an answer needs a name that no ROS or Python module has"
     inside = [name for _, _, names in walk(folder) for name in names]
     packed = [name for name in sorted(inside) if name.lower().endswith(ARCHIVE_SUFFIXES)]
     if packed:
@@ -170,7 +173,7 @@ def _why_nothing(folder: Path) -> str:
 
 
 def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: str | None) -> HandIn:
-    """The answer in a student's folder; in the folder of the assignment where there is one."""
+    """Return the answer in a student's folder. If the folder has one for the assignment, look only there."""
     if assignment is not None:
         part = folder / assignment
         if part.is_symlink() or not part.is_dir():
@@ -185,21 +188,22 @@ def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: st
 
 
 def hand_in_root(path: Path) -> Path:
-    """The folder with the hand-ins: in nbgrader's layout `submitted`, otherwise `path` itself."""
+    """Return the folder that contains the hand-ins: `submitted` in nbgrader's layout, otherwise `path` itself."""
     return path / "submitted" if (path / "submitted").is_dir() else path
 
 
 def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """All answers to `stem` below `paths`, one for each student, sorted; see `all_hand_ins`."""
+    """Return the answers to `stem` below `paths`, sorted, one per student; see `all_hand_ins`."""
     return one_for_each(all_hand_ins(paths, stem, assignment))
 
 
 def all_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """All answers to `stem` below `paths`, under the names that files and folders have; maybe several of a student.
+    """Return all answers to `stem` below `paths`. Students are named after their files and folders.
 
-    A folder may hold files (`s1042.py`: the name is the student), one folder per student with the answer anywhere
-    below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. `assignment` is what that system calls the exercise; of
-    each student's folders only that one is looked at. Raises FileNotFoundError for a path that is not there.
+    A student may have several. A folder may contain files (`s1042.py` names the student), a folder per student with the
+    answer anywhere below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. `assignment` is the exercise's name in
+    nbgrader; if it's set, only that folder of each student is searched. Raises FileNotFoundError for a path that
+    doesn't exist.
     """
     found: list[HandIn] = []
     for path in paths:
@@ -227,9 +231,9 @@ def _in_class(root: Path, stem: str, assignment: str | None) -> Iterator[HandIn]
 
 
 def readable(text: str) -> str:
-    """A file name as text that can be stored.
+    """Return a file name as text that can be stored.
 
-    Bytes of another encoding are spelled out (\\xfc), so that two names never become one.
+    Bytes that aren't valid UTF-8 become escape sequences, so two names never become the same text.
     """
     return os.fsencode(text).decode("utf-8", "backslashreplace")
 
@@ -240,12 +244,12 @@ def _as_text(raw: HandIn) -> HandIn:
 
 
 def one_spelling(name: str) -> str:
-    """A name with each accent as a part of its letter, as most systems write it; macOS separates the two."""
+    """Return a name with composed accents (NFC), as most systems store them. macOS stores accents separately."""
     return unicodedata.normalize("NFC", name)
 
 
 def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
-    """One hand-in for each student. Two of one student are both refused: guessing which counts would be unfair."""
+    """Return one hand-in per student. If a student has several, refuse them all, because guessing would be unfair."""
     by_student: dict[str, list[HandIn]] = {}
     for hand_in in found:
         by_student.setdefault(hand_in.student, []).append(hand_in)
@@ -262,7 +266,7 @@ def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
 
 
 def infer_exercise(paths: Sequence[Path], stems: Sequence[str]) -> list[str]:
-    """The exercises that the files below `paths` name, by file name or `%%answer` line."""
+    """Return the exercises that the files below `paths` answer, judging by file names and `%%answer` lines."""
     files: list[Path] = []
     for path in paths:
         files += _files_below(path) if path.is_dir() else [path]

@@ -13,10 +13,10 @@ HEADER = ["student", "exercise"]
 
 
 def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) -> None:
-    """Store the students with a hand-in for `exercise`.
+    """Store which students have handed in an answer for `exercise`.
 
-    `whole`: these are all of them. Otherwise they are added to those of earlier runs; without a list of those, nothing
-    is stored.
+    `whole`: the list is complete. Otherwise, the students are added to the list of earlier runs; without an earlier
+    list, nothing is stored.
     """
     before = _read(out)
     if not whole and all(listed != exercise for _, listed in before):
@@ -29,7 +29,7 @@ def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) ->
 
 
 def with_a_hand_in(out: Path, results: Iterable[Result]) -> list[Result]:
-    """Leave out results without a hand-in. A folder of an earlier version, or an exercise not listed, keeps all."""
+    """Leave out results without a hand-in. Keep all results if there's no list, or their exercise isn't in it."""
     pairs = _read(out)
     listed = {exercise for _, exercise in pairs}
     return [one for one in results if one.exercise not in listed or one.key in pairs]

@@ -1,4 +1,4 @@
-"""Who judges many answers, and what they are given: the slots of this machine, or a farm, look the same."""
+"""Define the interface that judges many answers. A machine's slots and a farm both implement it."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ Key = TypeVar("Key")
 
 @dataclass(frozen=True)
 class Job(Generic[Key]):
-    """One answer to judge; `key` is handed back with the judgement. `seed`: see `Judge.judge`."""
+    """One answer to judge. `key` is returned with the judgment. `seed`: see `Judge.judge`."""
 
     key: Key
     stem: str
@@ -26,16 +26,17 @@ class NoJudges(RuntimeError):
 
 
 class GradingBackend(Protocol):
-    """Judges many answers: on the slots of this machine, or on a farm."""
+    """Judges many answers, on this machine's slots or on a farm."""
 
     @property
     def isolation(self) -> Isolation:
-        """The tier of isolation that programs run in."""
+        """The isolation tier in which programs run."""
 
     def judge_all(
         self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Judge many answers; yields each judgement as it is ready, each job once.
+        """Judge many answers. Yield each job once, with its judgment, as soon as it's ready.
 
-        `stop` is asked before each new answer, so that an interrupted run ends after those under way. Raises NoJudges.
+        `stop` is called before each new answer. Once it returns True, the run ends after the answers that are under
+        way. Raises NoJudges.
         """

@@ -18,7 +18,7 @@ _SAYS_UTC = re.compile(r" ?(UTC|GMT)$")
 class Lateness:
     """Subtract `share` of the maximum for each day, complete or not, after `deadline`.
 
-    `extensions`: later deadlines of single students, by the names that `same_name` returns.
+    `extensions`: later deadlines for individual students, by the names that `same_name` returns.
     """
 
     deadline: datetime
@@ -26,15 +26,15 @@ class Lateness:
     extensions: Mapping[str, datetime] = field(default_factory=dict)
 
     def deadline_of(self, student: str) -> datetime:
-        """Return the deadline of this student."""
+        """Return this student's deadline."""
         return self.extensions.get(same_name(student), self.deadline)
 
     def unknown(self, results: Iterable[Result]) -> list[Result]:
-        """Return the results without a known time of the hand-in. Nothing is subtracted from them."""
+        """Return the results whose submission time is unknown. No penalty is subtracted from them."""
         return [one for one in results if one.score is not None and parse_moment(one.submitted_at) is None]
 
     def taken_off(self, result: Result) -> float:
-        """Return the points that lateness costs this result; 0 if the time of the hand-in is unknown."""
+        """Return the late penalty in points; 0 if the submission time is unknown."""
         moment = parse_moment(result.submitted_at)
         deadline = self.deadline_of(result.student)
         if moment is None or result.score is None or moment <= deadline:
@@ -44,7 +44,7 @@ class Lateness:
 
 
 def parse_moment(text: str | None) -> datetime | None:
-    """An ISO 8601 date, in UTC where it names no zone or says so, as nbgrader does; None for what is none."""
+    """Parse an ISO 8601 time; None if it's invalid. Without a zone, it's in UTC, as in nbgrader."""
     try:
         moment = datetime.fromisoformat(_SAYS_UTC.sub("+00:00", (text or "").strip()))
     except ValueError:
@@ -53,7 +53,7 @@ def parse_moment(text: str | None) -> datetime | None:
 
 
 def with_lateness(results: Iterable[Result], lateness: Lateness | None) -> list[Result]:
-    """The results with lateness taken off; results.jsonl keeps what was earned."""
+    """Subtract the late penalty from the results' scores. Return the new results."""
     if lateness is None:
         return list(results)
     changed = []

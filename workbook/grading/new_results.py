@@ -1,4 +1,4 @@
-"""Making a result: of the judgements of an answer, or of why it could not be judged."""
+"""Build a result from an answer's judgments, or from the reason why it couldn't be judged."""
 
 import hashlib
 import json
@@ -16,14 +16,14 @@ from workbook.exercise.retries import what_counts
 from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
 
 LOG_LENGTH = 8_000
-"""Characters of a program's log that a result holds. The recording has all of it."""
+"""The most characters of a program's log that a result contains. The recording contains the whole log."""
 
 
 @dataclass(frozen=True)
 class Submission:
-    """What one student handed in, as a result names it. `answer_sha256` is empty where nothing could be read.
+    """One student's hand-in, as results describe it. `answer_sha256` is empty if the file couldn't be read.
 
-    `note`: what else a notebook holds that may have been meant, as a sentence.
+    `note`: a sentence on other code in the notebook that the student may have meant to hand in.
     """
 
     student: str
@@ -36,7 +36,7 @@ class Submission:
 
 @dataclass(frozen=True)
 class GradedBy:
-    """What all results of a run have in common. `out`: the folder that recordings are stored below."""
+    """The data that all results of a run share. `out`: the folder below which recordings are stored."""
 
     exercise: Exercise
     isolation: str
@@ -44,7 +44,7 @@ class GradedBy:
 
 
 def versions(criteria_sha256: str) -> Versions:
-    """What a result is made with, now."""
+    """Return the versions in use now, for a new result."""
     try:
         rclpy_version = metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -53,7 +53,10 @@ def versions(criteria_sha256: str) -> Versions:
 
 
 def graded_result(submission: Submission, tries: Sequence[Judgement], by: GradedBy) -> Result:
-    """The result of an answer that was run, with its recordings stored. `tries`: one judgement, or all of them."""
+    """Store an answer's recordings, and return its result.
+
+    `tries`: the judgments of all tries, in order.
+    """
     found = what_counts(tries)
     judgement = found.judgement
     recording = judgement.recording
@@ -82,7 +85,7 @@ def graded_result(submission: Submission, tries: Sequence[Judgement], by: Graded
         process=process,
         recording=_recording_file(by.out, judgement),
         clock=None if recording is None else recording.clock,
-        simulated_s=None if recording is None else recording.simulated_s,
+        watched_s=None if recording is None else recording.watched_s,
         wall_s=None if recording is None else recording.wall_s,
         isolation=by.isolation,
         versions=versions(by.exercise.criteria_sha256),
@@ -95,7 +98,7 @@ def graded_result(submission: Submission, tries: Sequence[Judgement], by: Graded
 
 
 def ungradable_result(submission: Submission, reason: str, by: GradedBy) -> Result:
-    """The result of an answer that could not be run. It has no score: that is not a zero."""
+    """Return the result of an answer that couldn't be run. It has no score, which isn't the same as zero."""
     return Result(
         student=submission.student,
         answer=submission.answer,
@@ -111,7 +114,7 @@ def ungradable_result(submission: Submission, reason: str, by: GradedBy) -> Resu
         process=None,
         recording=None,
         clock=None,
-        simulated_s=None,
+        watched_s=None,
         wall_s=None,
         isolation=by.isolation,
         versions=versions(by.exercise.criteria_sha256),

@@ -1,6 +1,6 @@
-"""All that a gradebook holds about one student: found, packed into an archive, or erased.
+"""Find everything that a gradebook stores about one student, and export it as an archive or erase it.
 
-Every name that looks like the student's is meant: `é` may be one character or two.
+All names that look like the student's name count: `é` may be one character or two.
 """
 
 import csv
@@ -36,16 +36,16 @@ TABLES = {
     "moodle.csv": "ID number",
     "nbgrader.csv": "student_id",
 }
-"""The tables of a gradebook, with the column that names the student."""
+"""The tables of a gradebook, each with the column that names the student."""
 
 
 class NotErasable(ValueError):
-    """A gradebook or a student cannot be looked at. The message says why, and what to do."""
+    """A gradebook can't be read, or a student can't be found in it. The message says why, and what to do."""
 
 
 @dataclass(frozen=True)
 class Lines:
-    """Lines of a text file: those about the student (`mine`), and all others as they are."""
+    """The lines of a text file: `mine` are about the student, and `others` are all other lines, unchanged."""
 
     path: Path
     mine: tuple[str, ...]
@@ -55,11 +55,11 @@ class Lines:
 
 @dataclass(frozen=True)
 class Holdings:
-    """What there is about a student, under all `names` that look alike.
+    """The data stored about a student, under all `names` that look alike.
 
-    `results`: one for each attempt. `lines`: of results.jsonl and overrides.jsonl, of the tables, and of the
-    instructor's own lists. `files`: pages and recordings that are the student's alone. `shared`: recordings that
-    another student's results need as well. `others`: the results of everybody else that count.
+    `results`: one per attempt. `lines`: from results.jsonl, overrides.jsonl, the tables, and the instructor's own
+    lists. `files`: pages and recordings that belong only to this student. `shared`: recordings that other students'
+    results also need. `others`: the other students' current results.
     """
 
     out: Path
@@ -72,13 +72,13 @@ class Holdings:
 
     @property
     def answers(self) -> tuple[str, ...]:
-        """The hand-ins, as they were called. They are not in the gradebook."""
+        """The original paths of the hand-ins, which aren't part of the gradebook."""
         return tuple(sorted({one.answer for one in self.results}))
 
 
 @contextmanager
 def holdings(out: Path, student: str, lists: Sequence[Path] = ()) -> Iterator[Holdings]:
-    """Find everything about a student in the gradebook `out`, and keep graders out of it until the block ends.
+    """Find everything about a student in the gradebook `out`, and lock it against other runs until the block ends.
 
     `lists`: CSV files of the instructor that name students, such as aliases. Raises NotErasable, FolderInUse.
     """
@@ -103,7 +103,7 @@ def _alike(name: str) -> str:
 
 
 def _text(path: Path) -> str:
-    """A file's text as it is, line ends and odd bytes included."""
+    """Return a file's text unchanged, including line endings and undecodable bytes."""
     return path.read_bytes().decode("utf-8", "surrogateescape")
 
 
@@ -140,12 +140,13 @@ def _numbered(text: str) -> list[tuple[int, str]]:
 
 
 def _whole(read: Callable[[str], Read], path: Path, number: int, line: str) -> Read:
-    """Parse a line, or refuse it: an unreadable line may be about any student."""
+    """Parse a line. Raises NotErasable if it's unreadable, because it may be about any student."""
     try:
         return read(line)
     except (ValueError, RecursionError) as error:
         raise NotErasable(
-            f"{path}, line {number}, cannot be read ({error}), and nobody knows whose it is: restore it, or delete it"
+            f"{path}, line {number}, cannot be read ({error}), so it can't be matched to a student: "
+            "restore it, or delete it"
         ) from error
 
 
@@ -155,7 +156,7 @@ def _change_of(line: str) -> Override:
 
 
 def _names_of(student: str, known: Sequence[str]) -> tuple[str, ...]:
-    """All known names that look like this one, or that tables write like this. Raises NotErasable."""
+    """Return all known names that look like this name, or are written like it in tables. Raises NotErasable."""
     names = [one for one in known if _alike(one) == _alike(student) or student.strip() == student_cell(one)]
     if names:
         return tuple(names)
@@ -170,7 +171,7 @@ def _cells(names: Sequence[str]) -> set[str]:
 
 
 def _recordings(out: Path, results: Sequence[Result]) -> set[Path]:
-    """The recordings of these results. A path that leads elsewhere was not written by a grader."""
+    """Return these results' recordings, except paths outside the folder, which we didn't write."""
     folder = (out / "recordings").resolve()
     names = {name for one in results for name in (one.recording, *(a.recording for a in one.tries)) if name}
     return {out / name for name in names if (out / name).resolve().parent == folder}
@@ -192,7 +193,7 @@ def _split(path: Path, pairs: Sequence[tuple[str, Result | Override]], names: Se
 
 
 def _rows(path: Path, cells: Set[str], column: str | None = None) -> Lines:
-    """The rows of a CSV file that name the student: in this column, or anywhere."""
+    """Return the rows of a CSV file that name the student in `column`, or anywhere if `column` is None."""
     try:
         text = _text(path)
     except OSError as error:
@@ -217,7 +218,7 @@ def _rows(path: Path, cells: Set[str], column: str | None = None) -> Lines:
 
 
 def export(found: Holdings, archive: Path) -> Path:
-    """Pack everything into one new zip file. Raises NotErasable if that file is there already."""
+    """Pack everything into a new zip file. Raises NotErasable if that file already exists."""
     if archive.exists():
         raise NotErasable(f"{archive} is there already: name a new file with --to")
     partial = archive.with_name(f".{archive.name}.part")
@@ -236,9 +237,9 @@ def export(found: Holdings, archive: Path) -> Path:
 
 
 def erase(found: Holdings, load: Callable[[str], Exercise] = load_exercise) -> list[str]:
-    """Erase everything, and rebuild what shows the whole class. Returns sentences on what needs a look.
+    """Erase everything about the student, and rebuild the class page. Return sentences on problems.
 
-    The results go last: a run that is interrupted can be repeated, and finds the rest.
+    The results are erased last, so an interrupted run can be repeated and still finds the rest.
     """
     said = _rebuild_class_page(found, load)
     for path in found.files:
@@ -258,7 +259,7 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _rebuild_class_page(found: Holdings, load: Callable[[str], Exercise]) -> list[str]:
-    """Write the page of the class without the student; the others keep the scores that the tables have."""
+    """Rewrite the class page without this student. The other students keep their scores from the tables."""
     path = found.out / PAGES / CLASS
     if not path.is_file():
         return []
@@ -277,7 +278,7 @@ def _rebuild_class_page(found: Holdings, load: Callable[[str], Exercise]) -> lis
 
 
 def _as_in_tables(found: Holdings, results: Sequence[Result]) -> list[Result]:
-    """The results with the scores of grades.csv: what lateness took off is known there only."""
+    """Return the results with the scores from grades.csv, because results.jsonl doesn't store late penalties."""
     scores: dict[tuple[str, str], float] = {}
     if (found.out / GRADES).is_file():
         for row in csv.DictReader(_text(found.out / GRADES).removeprefix("\ufeff").splitlines()):

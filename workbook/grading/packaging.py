@@ -1,4 +1,4 @@
-"""What other systems need to run this judge: an autograder for Gradescope, a workflow for a class repository."""
+"""Package the judge for other systems: an autograder for Gradescope, or a workflow for a class repository."""
 
 import os
 import re
@@ -22,14 +22,14 @@ _REVISION = re.compile(r"[0-9a-f]{40}")
 
 
 class CannotPackage(RuntimeError):
-    """The package cannot be made. The message says why and what to do."""
+    """The package can't be built. The message says why and what to do."""
 
 
 # --- Gradescope -----------------------------------------------------------------------------------------------------
 
 
 def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
-    """Write the autograder of one exercise. The same course gives the same bytes. Returns the names in it."""
+    """Write one exercise's autograder; equal courses give equal bytes. Return the names of the files in it."""
     entries: dict[str, tuple[bytes, bool]] = {
         "setup.sh": ((GRADESCOPE_FILES / "setup.sh").read_bytes(), True),
         "run_autograder": (
@@ -48,7 +48,7 @@ def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
         for name in sorted(entries):
             content, executable = entries[name]
             entry = zipfile.ZipInfo(name, _EPOCH)
-            entry.create_system = 3  # Unix, so that the permissions count
+            entry.create_system = 3  # Unix; otherwise, the permissions are ignored
             entry.external_attr = (0o100755 if executable else 0o100644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, content)
@@ -57,13 +57,16 @@ def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
 
 
 def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes]]:
-    """What grading one exercise takes, by its name in the course. Other exercises, lessons and answers stay out."""
+    """Yield the files needed to grade one exercise, with their names relative to the course.
+
+    Other exercises, lessons, and answers are left out.
+    """
     stem = exercise.stem
     for name in _PROJECT:
         yield name, (course / name).read_bytes()
     yield from files_below(course, "workbook")
-    criteria = course / "exercises" / "criteria" / f"{stem}.py"
-    yield f"exercises/criteria/{stem}.py", criteria.read_bytes()
+    for path in sorted((course / "exercises" / "criteria").glob(f"{stem}.*")):
+        yield f"exercises/criteria/{path.name}", path.read_bytes()
     if exercise.driver is not None:
         yield f"exercises/drivers/{stem}.py", exercise.driver.read_bytes()
     yield f"solutions/{stem}.py", without_solution(exercise.source, hints=False).encode()
@@ -71,12 +74,13 @@ def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes
     if own:
         path = Path(own) / f"{stem}.py"
         if not path.is_file():
-            raise CannotPackage(f"{own} holds no {stem}.py with criteria of your own")
-        yield f"own_criteria/{stem}.py", path.read_bytes()
+            raise CannotPackage(f"{own} holds no {stem}.py with your own criteria")
+        for one in sorted(Path(own).glob(f"{stem}.*")):
+            yield f"own_criteria/{one.name}", one.read_bytes()
 
 
 def files_below(course: Path, folder: str) -> Iterator[tuple[str, bytes]]:
-    """The files of a folder of the course by name, without what tools and editors leave there."""
+    """Yield the files in a folder of the course, with their names. Skip files that tools and editors leave behind."""
     for path in sorted((course / folder).rglob("*")):
         parts = path.relative_to(course / folder).parts
         left_by_tools = any(part.startswith(".") or part == "__pycache__" for part in parts)
@@ -90,10 +94,10 @@ def files_below(course: Path, folder: str) -> Iterator[tuple[str, bytes]]:
 def classroom_workflow(
     exercises: Sequence[Exercise], folder: Path, address: str, revision: str, *, reporter: bool = False
 ) -> Path:
-    """Write the workflow of a class repository into `folder`. Returns its file.
+    """Write the workflow for a class repository into `folder`. Return the workflow's path.
 
-    `address`, `revision`: where the course is fetched from, and its commit. `reporter`: hand the points on to GitHub
-    Classroom as well. Raises CannotPackage for what cannot be an address or a commit.
+    `address` and `revision` name the course's Git repository and commit. `reporter`: also report the points to GitHub
+    Classroom. Raises CannotPackage for an invalid address or commit.
     """
     if not _ADDRESS.fullmatch(address):
         raise CannotPackage(f"{address!r} is not an address that git can fetch from")
@@ -110,7 +114,7 @@ def classroom_workflow(
 
 
 def _reporter(exercises: Sequence[Exercise]) -> str:
-    """The step that tells Classroom. A judge that did not finish left no output: then the text here counts."""
+    """Return the step that reports to Classroom. If the judge left no output, the step reports a fallback."""
     names, lines = [], []
     for exercise in exercises:
         for name, criterion in runners(exercise).items():
@@ -129,21 +133,24 @@ def _reporter(exercises: Sequence[Exercise]) -> str:
 
 
 def origin_of(course: Path) -> str:
-    """Where the course was cloned from, as an address that needs no key.
+    """Return the address from which the course was cloned, converted so that it needs no key.
 
-    Raises CannotPackage when git does not know, or when others cannot fetch from there.
+    Raises CannotPackage if git doesn't know the address, or others can't fetch from it.
     """
     advice = "Say where the course can be found: --course https://..."
     origin = _git(course, "remote", "get-url", "origin", otherwise=advice)
     with_key = _WITH_KEY.fullmatch(origin)
     address = f"https://{with_key['host']}/{with_key['path']}" if with_key else origin
     if not address.startswith("https://"):
-        raise CannotPackage(f"your origin is {origin}, and nobody else can fetch from there. {advice}")
+        raise CannotPackage(f"your origin is {origin}, which no one else can fetch from. {advice}")
     return address
 
 
 def commit_of(course: Path) -> str:
-    """The commit of the course as it is. Raises CannotPackage when it has changed since, or git does not know."""
+    """Return the course's current commit.
+
+    Raises CannotPackage if there are uncommitted changes, or git fails.
+    """
     advice = "Say which commit is meant: --revision COMMIT"
     if _git(course, "status", "--porcelain", "--untracked-files=no", otherwise=advice):
         raise CannotPackage(f"the course has changes that are not committed. Commit and push them. {advice}")

@@ -1,4 +1,7 @@
-"""A student's page in the gradebook. It needs no network and no script. (The class has `class_page`.)"""
+"""Render a student's page in the gradebook.
+
+The page needs no network and no script. (For the class's page, see `class_page`.)
+"""
 
 import hashlib
 import re
@@ -16,11 +19,11 @@ from workbook.templating import as_markup, render
 PAGES = "pages"
 CLASS = "class.html"
 TEXT_COLORS = {"light": variables(ON_LIGHT), "dark": variables(ON_DARK)}
-"""Declarations for the style of a page, by theme."""
+"""CSS declarations for a page, by theme."""
 
 
 def page_name(student: str, exercise: str) -> str:
-    """A file name that no two students share, whatever they are called."""
+    """Return a file name that's unique to this student, whatever characters the name contains."""
     plain = re.sub(r"[^A-Za-z0-9]+", "-", student).strip("-").lower()[:40]
     return (
         f"{exercise}-{plain}-{hashlib.sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}.html"
@@ -28,7 +31,7 @@ def page_name(student: str, exercise: str) -> str:
 
 
 def judgement_of(result: Result, out: Path) -> Judgement:
-    """The judgement that a result tells of, with its stored recording where there is one."""
+    """Rebuild the judgment from a result, with its stored recording if it can be read."""
     recording = None
     if result.recording is not None:
         try:
@@ -47,7 +50,7 @@ def judgement_of(result: Result, out: Path) -> Judgement:
 
 
 def student_page(result: Result, exercise: Exercise, out: Path) -> str:
-    """One student's page: the card, when messages were expected and came, and the log."""
+    """Return one student's page: the card, the expected and received messages over time, and the log."""
     judgement = judgement_of(result, out)
     timeline, words = None, ""
     if judgement.recording is not None and exercise.periods:

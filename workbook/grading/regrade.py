@@ -1,4 +1,4 @@
-"""Judging again: stored recordings under changed criteria, without running anything, and without ROS."""
+"""Judge stored recordings again with changed criteria, without running programs and without ROS."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -19,7 +19,7 @@ NO_RECORDING = "no recording of it was kept. Run `workbook grade` on the answers
 
 @dataclass(frozen=True)
 class CriterionChange:
-    """The points of one criterion before and after. None: there was no such criterion, or there is none now."""
+    """A criterion's points before and after. None means that the criterion didn't exist then, or no longer exists."""
 
     id: str
     before: float | None
@@ -28,9 +28,9 @@ class CriterionChange:
 
 @dataclass(frozen=True)
 class Regraded:
-    """What judging again did to one student. `problem`: why it could not be judged again.
+    """The effect of judging one student's result again. `problem`: why that wasn't possible.
 
-    `criteria`: those whose points changed, came, or went.
+    `criteria`: the criteria whose points changed, and those that were added or removed.
     """
 
     student: str
@@ -41,14 +41,14 @@ class Regraded:
 
     @property
     def changed(self) -> bool:
-        """Whether any points are others than before; False for what could not be judged again."""
+        """Whether any points changed; False if the result couldn't be judged again."""
         return not self.problem and (self.before != self.after or bool(self.criteria))
 
 
 def criterion_changes(
     before: tuple[CriterionLine, ...], after: tuple[CriterionLine, ...]
 ) -> tuple[CriterionChange, ...]:
-    """The criteria whose points differ, in the order of the new ones. No such criterion counts as no points."""
+    """Return the criteria whose points differ, in their new order. A missing criterion counts as 0 points."""
     old, new = _points(before), _points(after)
     return tuple(
         CriterionChange(name, old.get(name), new.get(name))
@@ -66,10 +66,10 @@ class CannotRegrade(RuntimeError):
 
 
 def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
-    """Judge the stored recording of every student again; new results are appended, nothing is run.
+    """Judge every student's stored recording again, without running programs, and append the new results.
 
-    A result that comes out as it was is left as it is, if it was made by these very criteria. A result without a mark,
-    because a criterion crashed, is judged again, too. Raises FolderInUse.
+    If a result stays the same and was made with exactly these criteria, it's kept. A result that has no mark because a
+    criterion crashed is judged again, too. Raises FolderInUse.
     """
     with ResultsFile(out / RESULTS) as file:
         known = last_results(out / RESULTS)
@@ -78,8 +78,11 @@ def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
 
 
 def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> Regraded:
-    """Results of these criteria are judged again, too: the course has more that a judgement depends on."""
-    if result.status != "graded" and result.tries:  # no try counted, and none would now
+    """Judge a recording again, even if the criteria are the same.
+
+    A judgment also depends on other parts of the course.
+    """
+    if result.status != "graded" and result.tries:  # no try counted, and judging again can't change that
         return Regraded(result.student, result.score, None, NO_SCORE)
     found = _new_result(out, exercise, result)
     is_ours = result.status == "graded" and _made_by(result) == _made_by(result, exercise.criteria_sha256)
@@ -94,13 +97,13 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
 
 
 def _made_by(result: Result, criteria: str = "") -> tuple[str, str]:
-    """The version of the workbook and the criteria; with `criteria`, those of today."""
+    """Return the versions of the workbook and of the criteria; if `criteria` is given, the current ones."""
     made = versions(criteria) if criteria else result.versions
     return made.workbook, made.criteria
 
 
 def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
-    """The new result, or why there is none."""
+    """Return the new result, or the reason why there is none."""
     try:
         tries = [
             _judged_again(out / name, inconclusive_reason, end_only, exercise, result.answer_sha256)
@@ -128,15 +131,15 @@ def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
         result.reason or "" if result.status == "graded" else "",
     )
     new = graded_result(submission, tries, GradedBy(exercise, result.isolation, out))
-    # the program ran with the rclpy and the Python of back then, whatever judges its recording now
+    # the program ran with the earlier rclpy and Python, no matter which versions judge its recording now
     ran = result.versions
     return replace(new, versions=replace(new.versions, rclpy=ran.rclpy, python=ran.python))
 
 
 def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
-    """The recordings of all tries, why each was inconclusive, and whether that is about its end alone.
+    """Yield each try's recording, why the try was inconclusive, and whether only its end was.
 
-    A try that the slot did not survive has none.
+    A try has no recording if the slot died during it.
     """
     if not result.tries and result.recording is not None:
         yield result.recording, result.inconclusive_reason, False
@@ -148,7 +151,7 @@ def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
 def _judged_again(
     path: Path, inconclusive_reason: str, end_only: bool, exercise: Exercise, answer_sha256: str
 ) -> Judgement:
-    """Raises CannotRegrade."""
+    """Judge a stored recording again. Raises CannotRegrade."""
     try:
         recording = Recording.load(path)
     except (OSError, ValueError, TypeError) as error:

@@ -1,4 +1,4 @@
-"""How steady verdicts are: the same answers judged many times."""
+"""Measure how repeatable verdicts are by judging the same answers many times."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -10,14 +10,14 @@ from workbook.grading.judges import GradingBackend, Job
 
 @dataclass(frozen=True)
 class Unsteady:
-    """An answer whose verdict changes from run to run: each verdict, and how often it came."""
+    """An answer whose verdict varies: each verdict, and how often it occurred."""
 
     student: str
     verdicts: tuple[tuple[str, int], ...]
 
 
 def verdict_of(judgement: Judgement) -> str:
-    """Points and what was lost, as one line."""
+    """Summarize the points and the lost criteria in one line."""
     if judgement.status != "graded":
         return f"not judged: {judgement.reason}"
     lost = [one.id for one in judgement.criteria if one.status in ("failed", "partial")]
@@ -25,7 +25,7 @@ def verdict_of(judgement: Judgement) -> str:
 
 
 def unsteady(jobs: Sequence[Job[str]], times: int, judges: GradingBackend) -> Iterator[Unsteady]:
-    """Judge every answer `times` times; yields those that did not get the same verdict each time."""
+    """Judge every answer `times` times. Yield the answers that got different verdicts."""
     many = [replace(job) for job in jobs for _ in range(times)]
     found: dict[str, Counter[str]] = {}
     for job, judgement in judges.judge_all(many):

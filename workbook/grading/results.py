@@ -1,7 +1,7 @@
-"""What a result holds: one line of `results.jsonl`, the one truth that every export is made from.
+"""Define a result: one line of `results.jsonl`, from which every export is made.
 
-These classes are the schema: their fields, in this order, are what is stored (see `workbook.recording.codec`).
-Fields of a newer version are kept in `unknown`, and written again.
+These classes are the schema: their fields are stored in this order (see `workbook.recording.codec`). Fields that a
+newer version added are kept in `unknown`, and written back.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ StudentAndExercise = tuple[str, str]
 
 @dataclass(frozen=True)
 class CriterionLine:
-    """What one criterion gave."""
+    """The result of one criterion."""
 
     id: str
     title: str
@@ -40,7 +40,7 @@ class CriterionLine:
         return self.status in ("failed", "partial")
 
     def told(self) -> list[str]:
-        """The feedback of the criterion, one part a line: saw, expected, because, try."""
+        """Return the criterion's feedback, one line per part: saw, expected, because, try."""
         lines = (("expected", self.expected), ("because", self.because), ("try", self.try_this))
         told = [f"saw: {self.saw}", *(f"{word}: {text}" for word, text in lines if text)]
         return [without_commands(line) for line in told]
@@ -48,7 +48,7 @@ class CriterionLine:
 
 @dataclass(frozen=True)
 class ProcessSummary:
-    """How the program ended, and the beginning of what it printed. `unfiltered`: see `ProcessRecord`."""
+    """The way the program ended, and the beginning of its log. `unfiltered`: see `ProcessRecord`."""
 
     exit: int | None
     signal: str | None
@@ -60,7 +60,7 @@ class ProcessSummary:
 
 @dataclass(frozen=True)
 class Versions:
-    """What a result was made with. `criteria`: SHA-256 of all that the exercise is judged by."""
+    """The versions that a result was made with. `criteria`: SHA-256 of everything that affects the judgment."""
 
     workbook: str
     criteria: str
@@ -69,15 +69,15 @@ class Versions:
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
     def told(self) -> str:
-        """The versions in a few words; of the criteria, as much as tells them apart."""
+        """Return a short description of the versions, with the first characters of the criteria's hash."""
         return f"workbook {self.workbook}, criteria {self.criteria[:12]}, rclpy {self.rclpy}"
 
 
 @dataclass(frozen=True)
 class Try:
-    """One of the judgements of an answer that was tried more than once. `counts`: whether the result is this one.
+    """One judgment of an answer that was tried more than once. `counts`: whether it became the result.
 
-    `end_only`: the doubt is about how the program ended, and about nothing else.
+    `end_only`: only the points for the program's end are inconclusive.
     """
 
     counts: bool
@@ -95,12 +95,12 @@ class Try:
 
 @dataclass(frozen=True)
 class Result:
-    """What came out for one answer. `score` is None unless it was graded: an error of ours is never a zero.
+    """The result for one answer. `score` is None unless the answer was graded, so an error of ours is never a zero.
 
-    `answer`: the path of the file as it was handed in; `recording`: that of the recording, below the results.
-    `tries`: all judgements of an answer that was tried more than once, because the first was inconclusive
-    (`inconclusive_reason`); `why_this_try`: which of them counts and why, as a sentence. `late_points`: what lateness
-    has taken off `score`; 0 in what is stored. `by_hand`: what a person has changed in it; nothing in what is stored.
+    `answer`: the path of the file as it was handed in; `recording`: the recording's path, below the results. `tries`:
+    all judgments of an answer that was tried more than once, because the first was inconclusive
+    (`inconclusive_reason`). `why_this_try`: which try counts and why, as a sentence. `late_points`: the late penalty,
+    subtracted from `score`; always 0 in the file. `by_hand`: a person's changes; always empty in the file.
     """
 
     student: str
@@ -117,7 +117,7 @@ class Result:
     process: ProcessSummary | None
     recording: str | None
     clock: Clock | None
-    simulated_s: float | None = field(metadata=stored_as("robot_s"))
+    watched_s: float | None = field(metadata=stored_as("robot_s"))
     wall_s: float | None
     isolation: str
     versions: Versions
@@ -130,26 +130,26 @@ class Result:
 
     @property
     def key(self) -> StudentAndExercise:
-        """Whose result this is, and of which exercise: the last one of each counts."""
+        """The student and the exercise. For each key, only the last result counts."""
         return self.student, self.exercise
 
     @property
     def tries_differ(self) -> bool:
-        """Whether the answer was tried more than once and did not always get the same."""
+        """Whether the answer was tried more than once, with different results."""
         return len({_told(one) for one in self.tries}) > 1
 
     @property
     def isolation_problem(self) -> str:
-        """What its tier could not do for the program, as a sentence; empty where nothing was missing."""
+        """A sentence on the protection that the isolation tier couldn't provide; empty if nothing was missing."""
         problem = "" if self.process is None else self.process.unfiltered
         return f"Its system calls were not filtered: {problem}." if problem else ""
 
     def changed_by_hand(self) -> str:
-        """What a person has changed in it, and why; empty where nothing was changed."""
+        """Describe a person's changes to the result, with the reasons; empty if there are none."""
         return " ".join(one.told() for one in self.by_hand)
 
     def tried_twice(self) -> str:
-        """What all tries gave, as a sentence; empty for an answer that was judged once."""
+        """Describe the results of all tries in a sentence; empty if the answer was judged once."""
         if len(self.tries) < 2:
             return ""
         often = "twice" if len(self.tries) == 2 else f"{len(self.tries)} times"
@@ -165,7 +165,7 @@ def _told(one: Try) -> str:
 
 
 def criterion_line(judged: CriterionResult) -> CriterionLine:
-    """What is stored of a judged criterion."""
+    """Return the stored form of a judged criterion."""
     return CriterionLine(
         id=judged.id,
         title=judged.title,
@@ -181,7 +181,7 @@ def criterion_line(judged: CriterionResult) -> CriterionLine:
 
 
 def criterion_result(line: CriterionLine) -> CriterionResult:
-    """A judged criterion, as far as it was stored."""
+    """Rebuild a judged criterion from its stored form."""
     return CriterionResult(
         id=line.id,
         title=line.title,

@@ -1,4 +1,7 @@
-"""`results.jsonl`: one line per attempt, appended and flushed as each finishes; the last line of each answer counts."""
+"""Read and write `results.jsonl`, which has one line per attempt. The last line of each answer counts.
+
+Each line is appended and flushed as soon as its attempt finishes.
+"""
 
 import fcntl
 import json
@@ -17,7 +20,7 @@ RESULTS = "results.jsonl"
 
 @dataclass(frozen=True)
 class BrokenLine:
-    """A line of the file that is not a result. `number` counts from 1."""
+    """A line of the file that isn't a valid result. `number` counts from 1."""
 
     path: Path
     number: int
@@ -34,23 +37,23 @@ TellBroken = Callable[[BrokenLine], None]
 
 
 def tell_nobody(broken: BrokenLine) -> None:
-    """Ignore a broken line, for files that are read a second time, when it is reported."""
+    """Ignore a broken line, because another pass over the file reports it."""
 
 
 def line_of(result: Result) -> str:
-    """A result as a line of the file. Raises ValueError for what JSON cannot hold."""
+    """Return a result as a line of the file. Raises ValueError for values that JSON can't represent."""
     return json.dumps(encode(result), allow_nan=False, ensure_ascii=False) + "\n"
 
 
 def result_of(line: str | bytes) -> Result:
-    """The reverse of `line_of`. Raises ValueError."""
+    """Parse a line that `line_of` wrote. Raises ValueError."""
     return decode(Result, json.loads(line))
 
 
 def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[Result]:
-    """All results of a file, which may be missing; `tell_broken` is told of each line that holds none.
+    """Yield all results in a file; none if it doesn't exist. Call `tell_broken` for each invalid line.
 
-    A torn last line (a run was killed while writing) is left out.
+    Skip an incomplete last line, which a run leaves if it's killed while writing.
     """
     if not path.exists():
         return
@@ -69,12 +72,12 @@ def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[
 
 
 def last_results(path: Path, tell_broken: TellBroken = tell_nobody) -> dict[StudentAndExercise, Result]:
-    """The result that counts per (student, exercise): the last complete line."""
+    """Return the current result per (student, exercise), which is the last complete line."""
     return {result.key: result for result in read_results(path, tell_broken)}
 
 
 class Done(NamedTuple):
-    """What an earlier run has to say of one answer: enough to know whether it must be judged again."""
+    """The parts of an earlier result that decide whether an answer must be judged again."""
 
     status: str
     answer_sha256: str
@@ -84,7 +87,10 @@ class Done(NamedTuple):
 
 
 def done_before(path: Path, exercise: str) -> dict[str, Done]:
-    """By student, what is known of one exercise. Small: a large class fits many times into memory."""
+    """Return the earlier results of one exercise, by student.
+
+    They contain little data, so even a large class fits into memory.
+    """
     return {
         result.student: Done(
             result.status, result.answer_sha256, result.versions.criteria, result.attempt, result.reason
@@ -95,13 +101,13 @@ def done_before(path: Path, exercise: str) -> dict[str, Done]:
 
 
 class FolderInUse(OSError):
-    """Another grader writes to the same folder. The message says which, and what to do."""
+    """Another run writes to the same folder. The message names the folder and the next step."""
 
 
 class ResultsFile:
-    """Appends results, each flushed to the disk before the next answer counts as done.
+    """Appends results. Each one is flushed to disk before its answer counts as done.
 
-    One at a time: raises FolderInUse while another process has it open.
+    Only one process may have it open; for others, opening it raises FolderInUse.
     """
 
     def __init__(self, path: Path) -> None:
@@ -112,11 +118,11 @@ class ResultsFile:
         except BlockingIOError:
             self._file.close()
             raise FolderInUse(
-                f"another grader is writing to {path.parent}. Wait until it has finished, or name another folder "
-                "with --out"
+                f"another `workbook grade` is writing to {path.parent}. Wait until it has finished, or "
+                "name another folder with --out"
             ) from None
         except OSError:
-            pass  # this file system knows no locks
+            pass  # this file system doesn't support locks
         self._drop_torn_line(path)
         for half_written in (path.parent / "recordings").glob("*.part"):
             half_written.unlink(missing_ok=True)
@@ -131,7 +137,7 @@ class ResultsFile:
                 file.truncate(raw.rfind(b"\n") + 1)
 
     def append(self, result: Result) -> None:
-        """Write one result, and return when it is on the disk. Raises OSError, which names the file."""
+        """Write one result, and return once it's on disk. Raises OSError, which names the file."""
         with naming(Path(self._file.name)):
             self._file.write(line_of(result))
             self._file.flush()

@@ -1,4 +1,4 @@
-"""Whose a hand-in is: the names that an instructor has for students and for the exercise."""
+"""Match hand-ins to students, using the instructor's names for students and for the exercise."""
 
 import csv
 from collections.abc import Mapping, Sequence, Set
@@ -9,28 +9,28 @@ from workbook.grading.hand_ins import HandIn, one_for_each, one_spelling
 
 
 class BadOption(ValueError):
-    """An option or a file that comes with it cannot be used. The message says why."""
+    """An option, or a file named by an option, can't be used. The message says why."""
 
 
 @dataclass(frozen=True)
 class Roster:
-    """`aliases`: the student by the name of a file or folder. `assignment`: what nbgrader calls the exercise."""
+    """`aliases`: student by file or folder name. `assignment`: the exercise's name in nbgrader."""
 
     aliases: Mapping[str, str] = field(default_factory=dict)
     assignment: str | None = None
 
     def hand_ins(self, found: Sequence[HandIn]) -> list[HandIn]:
-        """One hand-in for each student, under the name that the aliases give it, sorted.
+        """Return one hand-in per student, sorted, with the student's name from the aliases.
 
-        Refused are two hand-ins of one student, one that aliases give to two students, and one whose name is that of
-        a student other than the one that an alias gives it to.
+        If a student has two hand-ins, both are refused. A hand-in is refused, too, if aliases give it to two students.
+        The same happens if its own name belongs to one student but an alias gives it to another.
         """
         students = set(self.aliases.values())
         students |= {one.student for one in found if not self._owners(one)}
         return one_for_each([mine for one in found for mine in self._given(one, students)])
 
     def unused(self, found: Sequence[HandIn]) -> list[str]:
-        """Names in the aliases that are the name of no hand-in."""
+        """Return the aliases that match no hand-in."""
         names = {name for one in found for name in _names(one)}
         return [name for name in self.aliases if name not in names]
 
@@ -38,7 +38,10 @@ class Roster:
         return list(dict.fromkeys(self.aliases[name] for name in _names(hand_in) if name in self.aliases))
 
     def _given(self, hand_in: HandIn, students: Set[str]) -> list[HandIn]:
-        """The hand-in under the name of its student; refused for each of them where there are several."""
+        """Return the hand-in under its student's name.
+
+        If an alias names several students, refuse it for every student.
+        """
         owners = self._owners(hand_in)
         if not owners:
             return [hand_in]
@@ -56,16 +59,16 @@ class Roster:
 
 
 def _names(hand_in: HandIn) -> tuple[str, ...]:
-    """What an alias may call a hand-in: its whole path, or the name of the file or folder at the top.
+    """Return the names by which an alias may refer to a hand-in: its path, or its top file's or folder's name.
 
-    Names further down are a student's own choice, who could choose one that is an alias of somebody else.
+    Students choose the names further down, so a student could choose another student's alias.
     """
     label = one_spelling(hand_in.label)
     return label, *Path(label).parts[:1], hand_in.student
 
 
 def about_unused(names: Sequence[str]) -> str:
-    """A sentence on aliases that fit nothing, the first of many by name; empty where all fit."""
+    """Return a sentence on unused aliases, naming the first few; empty if every alias was used."""
     if not names:
         return ""
     what = "1 alias fits" if len(names) == 1 else f"{len(names)} aliases fit"
@@ -74,7 +77,7 @@ def about_unused(names: Sequence[str]) -> str:
 
 
 def read_aliases(path: Path) -> dict[str, str]:
-    """Who a file or folder belongs to: a CSV with two columns, file or folder name and student. Raises BadOption."""
+    """Read aliases from a CSV with two columns: file or folder name, and student. Raises BadOption."""
     aliases: dict[str, str] = {}
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:

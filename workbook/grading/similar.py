@@ -1,8 +1,8 @@
-"""Pairs of answers that are the same but for names, comments, and layout: a hint, and never a verdict.
+"""Find pairs of answers that differ only in names, comments, and layout. A match is a hint, never a verdict.
 
-The method is winnowing, as MOSS does it (Schleimer, Wilkerson and Aiken, 2003), in the form of `copydetect`: names
-become one letter, comments and spaces go, and what remains is compared by fingerprints. Short programs for one task
-look alike even if no student copied.
+The method is winnowing, as in MOSS (Schleimer, Wilkerson, and Aiken, 2003) and as implemented by `copydetect`. All
+names become the same letter, and comments and spaces are removed. The rest is compared by fingerprints. Short programs
+for the same task look alike even if no student copied.
 """
 
 from collections.abc import Mapping
@@ -11,23 +11,25 @@ from itertools import combinations
 from typing import Any
 
 RUN = 25
-"""Characters of a fingerprint, and below, the shortest run that is found for sure: the defaults of copydetect."""
+"""A fingerprint's length in characters. `FOUND_FOR_SURE` is the shortest common run that's always found. Both are
+copydetect's defaults.
+"""
 FOUND_FOR_SURE = 30
 ALIKE = 0.9
 """The share of fingerprints that two answers must have in common to be listed."""
 FEWEST = 10
-"""Fingerprints beyond the starter's. With fewer, an answer says too little to be compared."""
+"""The fewest fingerprints, without the starter's, that an answer needs to be compared."""
 LONGEST = 100_000
-"""Characters of an answer that is compared."""
+"""The most characters of an answer that we compare."""
 
 
 class NoComparison(RuntimeError):
-    """Answers cannot be compared here. The message says what to install."""
+    """Answers can't be compared on this machine. The message says what to install."""
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, and the share of their answers' fingerprints that both have."""
+    """Two students, and the share of fingerprints that their answers have in common."""
 
     one: str
     other: str
@@ -36,7 +38,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The pairs that are alike, most alike first; and who could not be compared."""
+    """The similar pairs, most similar first, and the students whose answers couldn't be compared."""
 
     pairs: tuple[Pair, ...]
     compared: int
@@ -45,7 +47,7 @@ class Comparison:
 
 
 def compare(answers: Mapping[str, str], starter: str) -> Comparison:
-    """Compare all answers with each other, by student; lines of the starter do not count. Raises NoComparison."""
+    """Compare all students' answers with each other, ignoring the starter's lines. Raises NoComparison."""
     common = _all_fingerprints(starter)
     too_long = tuple(sorted(name for name, text in answers.items() if len(text) > LONGEST))
     prints = {
@@ -59,7 +61,9 @@ def compare(answers: Mapping[str, str], starter: str) -> Comparison:
     ]
     alike = [pair for pair in pairs if pair.share >= ALIKE]
     alike.sort(key=lambda pair: (-pair.share, pair.one, pair.other))
-    return Comparison(tuple(alike), len(compared), tuple(prints.keys() - compared.keys()), too_long)
+    return Comparison(
+        tuple(alike), len(compared), tuple(name for name in prints if name not in compared), too_long
+    )
 
 
 def _fingerprints(text: str) -> set[int]:
@@ -76,7 +80,7 @@ def _all_fingerprints(text: str) -> set[int]:
 
 
 def _hashes(text: str) -> Any:
-    """The array of the hashes of all runs."""
+    """Return an array with the hashes of all runs of `RUN` characters."""
     try:
         from copydetect.utils import filter_code, hashed_kgrams
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""Grading what one student handed in, at once and by itself: for systems that start a grader for each submission."""
+"""Grade a single hand-in, for systems that start a judge for each submission."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -18,14 +18,14 @@ from workbook.isolation.tiers import BEST_FIRST, Isolation, named_tier
 
 
 def best_isolation() -> Isolation:
-    """The best tier that works on this machine."""
+    """Return the best tier that works on this machine."""
     return next((tier for tier in BEST_FIRST if tier_problem(tier) is None), "limits")
 
 
 def choose_isolation(wanted: str) -> Isolation:
-    """The tier to use: with "auto" the best that works, else the one that is wanted.
+    """Return the tier to use: for "auto", the best one that works; otherwise, the requested one.
 
-    Raises NoSandbox when the wanted one does not work here.
+    Raises NoSandbox if the requested tier doesn't work on this machine.
     """
     if wanted == "auto":
         return best_isolation()
@@ -37,7 +37,7 @@ def choose_isolation(wanted: str) -> Isolation:
 
 
 def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolation) -> Result:
-    """Grade one hand-in; recordings go below `out`. What cannot be judged gives a result, too, and no exception."""
+    """Grade one hand-in, with recordings below `out`. If it can't be judged, return a result that says why."""
     by = GradedBy(exercise, isolation, out)
     try:
         if hand_in.problem is not None:
@@ -53,4 +53,4 @@ def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolati
         return graded_result(
             Submission(hand_in.student, hand_in.label, answer.sha256, note=answer.note), tries, by
         )
-    raise RuntimeError("the grader gave no judgment")
+    raise RuntimeError("the judge returned no judgment")

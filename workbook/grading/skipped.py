@@ -1,4 +1,4 @@
-"""Files that look like hand-ins and are none: what was skipped, and why. Nobody's answer gets lost without a word."""
+"""List the files that look like hand-ins but aren't, with the reasons, so that no answer is silently lost."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -7,19 +7,19 @@ from pathlib import Path
 from workbook.grading.hand_ins import SKIPPED_FOLDERS, hand_in_root, readable, walk, why_no_answer
 
 _TOOLS = frozenset({".git", ".github", ".vscode", ".idea", ".venv", ".cache", ".config", ".local", ".ros"})
-"""Hidden folders that programs make. No student has such a name."""
+"""Hidden folders that tools create. No student has such a name."""
 
 
 @dataclass(frozen=True)
 class Skipped:
-    """A file or folder that was not taken for a hand-in. `reason` says why, and what to do."""
+    """A file or folder that wasn't recognized as a hand-in. `reason` says why, and what to do."""
 
     label: str
     reason: str
 
 
 def find_skipped(paths: Sequence[Path]) -> list[Skipped]:
-    """All that looks like an answer below `paths`, and is none by its name."""
+    """Return everything below `paths` that looks like an answer but isn't named like one."""
     found: list[Skipped] = []
     for path in paths:
         if path.is_dir():
@@ -46,7 +46,7 @@ def _skipped_below(root: Path) -> Iterator[Skipped]:
 
 
 def about_skipped(found: Sequence[Skipped]) -> str:
-    """Return sentences that name everything that was skipped, by reason; empty if nothing was."""
+    """Return sentences that list the skipped files, grouped by reason; empty if there are none."""
     if not found:
         return ""
     what = (

@@ -1,4 +1,4 @@
-"""The students' edition: the course without solutions, right and wrong answers, and the instructor's pages."""
+"""Write the students' edition: the course without solutions, example answers, or the instructors' pages."""
 
 import hashlib
 import json
@@ -14,13 +14,15 @@ from workbook.exercise.without_solution import without_solution
 from workbook.grading.packaging import GRADESCOPE_FILES, CannotPackage, files_below
 
 MANIFEST = ".edition.json"
-"""In the edition: the hash of each file that was put there, so that a later run knows its own work."""
-PAGES = ("README.md", "environment.md")
-"""Pages with parts that only instructors need, between two comments; see `for_students`."""
+"""Stores the hash of each file that we wrote into the edition, so that a later run recognizes its own files."""
+PAGES = ("README.md", "environment.md", "docs/commands.md")
+"""Pages with passages for instructors only, marked by comments; see `for_students`."""
 KEPT = (
     "LICENSE", "LICENSE-TEXT", "pyproject.toml", "requirements.lock", "conftest.py", ".gitignore", ".gitattributes",
 )  # fmt: skip
-FOLDERS = ("workbook", "lesson_nodes", "exercises/criteria", "exercises/drivers")
+FOLDERS = ("workbook", "lesson_nodes", "exercises/criteria", "exercises/drivers", "exercises/partners")
+NOT_FOR_STUDENTS = "workbook/authoring/site/"
+"""The site, which consists of pages that the students' edition doesn't have."""
 FILES = (
     "notebooks/*.ipynb",
     "notebooks/*.md",
@@ -30,15 +32,15 @@ FILES = (
     ".vscode/*.json",
 )
 TARGETS = ("help", "env", "lab", "progress", "test", "clean")
-"""Targets of the Makefile that a student needs."""
+"""The Makefile targets that students need."""
 ITS_OWN = {"tests/test_course.py": "course_tests.txt", "solutions/README.md": "solutions.md"}
-"""What is in no other edition, and where its text is."""
+"""The files that only this edition has, and the files with their text."""
 _INSTRUCTORS = re.compile(r"<!-- for instructors -->\n.*?<!-- end of for instructors -->\n\n?", re.DOTALL)
 _LINE = re.compile(r".*<!-- for instructors -->.*\n")
 _IN_MAKEFILE = {
     "--extras dev,farm,similar": "--extras dev",
     "tests/run.py $(ARGS)": "-m pytest --nbval tests notebooks $(ARGS)",
-    "prove everything: what CI runs (ARGS='--only pytest' for a part)": "see that all of it works here",
+    "test the core (ARGS='--only pytest' for a part)": "check that everything works here",
 }
 _TARGET = re.compile(r"^([a-z-]+):", re.MULTILINE)
 _EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -46,18 +48,18 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 @dataclass(frozen=True)
 class Edition:
-    """What was written. `removed`: files of an earlier edition that are in this one no more."""
+    """The files that were written. `removed`: files of an earlier edition that this edition no longer has."""
 
     files: tuple[str, ...]
     removed: tuple[str, ...] = ()
 
 
 def students_edition(course: Path, target: Path) -> Edition:
-    """Write the students' edition of a course into a folder, or into `target` itself if it ends with .zip.
+    """Write the students' edition of a course into a folder, or as an archive if `target` ends with .zip.
 
-    A folder may hold an earlier edition, for example with its history in git: it is brought up to date. The same course
-    gives the same bytes. Raises CannotPackage when a folder holds anything else, when a file of the earlier edition was
-    changed by hand, and when the course has hidden criteria, which a student could read.
+    A folder may contain an earlier edition, for example with its Git history; then it's updated. Equal courses give
+    equal bytes. Raises CannotPackage if a folder contains anything else, or if a file of the earlier edition was
+    changed by hand. It's also raised if the course has hidden criteria, which students could read.
     """
     files = dict(_files(course))
     if target.suffix == ".zip":
@@ -67,10 +69,10 @@ def students_edition(course: Path, target: Path) -> Edition:
 
 
 def for_students(text: str) -> str:
-    """A page without what only instructors need.
+    """Return a page without the passages for instructors.
 
-    That stands between `<!-- for instructors -->` and `<!-- end of for instructors -->`, each on a line of its own; a
-    single line, such as a row of a table, goes when it holds the first of them.
+    These are between `<!-- for instructors -->` and `<!-- end of for instructors -->`, each on its own line. A single
+    line, such as a table row, is removed if it contains the first marker.
     """
     return _LINE.sub("", _INSTRUCTORS.sub("", text))
 
@@ -82,7 +84,7 @@ def _files(course: Path) -> Iterator[tuple[str, bytes]]:
         yield name, for_students((course / name).read_text(encoding="utf-8")).encode()
     yield "Makefile", _makefile((course / "Makefile").read_text(encoding="utf-8")).encode()
     for folder in FOLDERS:
-        yield from files_below(course, folder)
+        yield from (one for one in files_below(course, folder) if not one[0].startswith(NOT_FOR_STUDENTS))
     for pattern in FILES:
         for path in sorted(course.glob(pattern)):
             yield path.relative_to(course).as_posix(), path.read_bytes()
@@ -93,13 +95,13 @@ def _files(course: Path) -> Iterator[tuple[str, bytes]]:
 
 
 def source_for_students(course: Path, stem: str) -> str:
-    """The source of an exercise with its starter and hints, and without its solution. Raises CannotPackage."""
+    """Return an exercise's source with its starter and hints, but without its solution. Raises CannotPackage."""
     exercise = load_exercise(stem, course)
-    # Criteria of the instructor's own folder are never copied; one in the course's folder would be.
+    # Criteria in the instructor's own folder are never copied, but a hidden one in the course's folder would be.
     if any(one.hidden for one in exercise.criteria if one.title in _criteria_text(course, stem)):
         raise CannotPackage(
             f"exercises/criteria/{stem}.py has a hidden criterion, and students could read it. "
-            "Put it into a folder of your own, and name that with --criteria when you grade"
+            "Put it into your own folder, and name that folder with --criteria when you grade"
         )
     return without_solution(exercise.source, hints=True)
 
@@ -109,7 +111,7 @@ def _criteria_text(course: Path, stem: str) -> str:
 
 
 def _makefile(text: str) -> str:
-    """The Makefile with the student's targets; `make test` runs the tests of the edition."""
+    """Reduce the Makefile to the students' targets. Its `make test` runs the edition's tests."""
     begins = [match.start() for match in _TARGET.finditer(text)]
     head, *targets = (text[a:b] for a, b in zip([0, *begins], [*begins, len(text)], strict=True))
     kept = [one for one in targets if one.partition(":")[0] in TARGETS]
@@ -126,7 +128,7 @@ def _zip(files: dict[str, bytes], target: Path) -> None:
     with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for name in sorted(files):
             entry = zipfile.ZipInfo(f"{target.stem}/{name}", _EPOCH)
-            entry.create_system = 3  # Unix, so that the permissions count
+            entry.create_system = 3  # Unix; otherwise, the permissions are ignored
             entry.external_attr = 0o100644 << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, files[name])
@@ -160,7 +162,7 @@ def _into(files: dict[str, bytes], folder: Path) -> Edition:
 
 
 def _earlier(folder: Path) -> dict[str, str]:
-    """By file, the hash of what an earlier run put there; empty for a new folder."""
+    """Return the hash of each file that an earlier run wrote; empty for a new folder."""
     if not folder.exists() or not any(one.name != ".git" for one in folder.iterdir()):
         return {}
     try:

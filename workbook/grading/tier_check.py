@@ -1,4 +1,4 @@
-"""Which tiers of isolation work on this machine: the slot for the first answer tries it."""
+"""Find out which isolation tiers work on this machine, by letting the slot for the first answer try them."""
 
 import socket
 from functools import cache
@@ -12,20 +12,20 @@ SELF_TEST_S = 60.0
 
 @cache
 def tier_problem(isolation: Isolation) -> str | None:
-    """Why a tier does not work here, and what to do; None when it does. Tries it, once: it takes a second.
+    """Return why a tier doesn't work here, and what to do; None if it does. The first call takes a second.
 
-    The slot that has tried a tier that works is kept for the first answer (see `warm_slots`).
+    If the tier works, the slot that tried it is kept for the first answer (see `warm_slots`).
     """
     return known_problem(isolation) or _try_out(isolation)
 
 
 def best_below_sandbox() -> Isolation:
-    """The best of the weaker tiers that works here."""
+    """Return the best tier below "sandbox" that works here."""
     return next((name for name in BEST_FIRST[1:] if tier_problem(name) is None), "limits")
 
 
 def _try_out(isolation: Isolation) -> str | None:
-    """Let a slot run a program of our own in this tier: what can it do, and is it heard?"""
+    """Let a slot run our own program in this tier, to test its isolation and whether we receive its messages."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
         try:
             slot = Slot(isolation, port=listener.getsockname()[1])

@@ -1,4 +1,5 @@
-"""The tiers of isolation for programs that are not trusted, each behind `workbook.programs.tier.Tier`.
+"""Define the isolation tiers for untrusted programs, all of which implement `workbook.programs.tier.Tier`.
 
-`tiers` makes one by its name and says what it covers and leaves open; graders import that, and `user_ids` to lease ids.
+`tiers` creates a tier by name, and describes what it protects and what it leaves open. The grading layer imports
+`tiers`, and also `user_ids` to lease ids.
 """

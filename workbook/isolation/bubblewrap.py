@@ -1,4 +1,4 @@
-"""The command lines of bubblewrap for the outer and the inner sandbox, and whether they work on this machine."""
+"""Build bubblewrap's command lines for the outer and the inner sandbox, and test whether they work here."""
 
 import os
 import shutil
@@ -17,24 +17,28 @@ ANSWER_FOLDER = "/answer"
 WRITABLE = ("/tmp", "/dev/shm", HOME)
 WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
 READ_ONLY = ("/", "/dev", "/dev/pts", "/proc")
-"""Mounts of the sandbox itself. Two of them have no limit on their size, and files below /proc/sys obey whoever has the
-user number of root, without any capability: an answer has it when the grader is root."""
+"""The sandbox's own mounts, which must be read-only.
+
+Two of them have no size limit. A process with root's user id may write to files below /proc/sys, even without
+capabilities. An answer has that id if the judge runs as root.
+"""
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
 WAITS = ("/bin/sh", "-c", "echo ready && exec >&- && while :; do sleep infinity & wait; done")
-"""If no reader is left for that word, it ends: who wanted it was killed before the sandbox was tied to it. While the
-shell waits, it reaps all that has ended below it."""
+"""The shell exits if no process reads its "ready", because the reader was killed before the sandbox was tied to it.
+While the shell waits, it reaps all processes that end below it.
+"""
 _SELF_TEST_S = 10.0
 
 
 class NoSandbox(RuntimeError):
-    """Programs cannot be sandboxed on this machine. The message says why and what to do."""
+    """Programs can't be sandboxed on this machine. The message says why and what to do."""
 
 
 def outer_command(command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """`command` in a network of its own, with the files of the machine read-only and a private /dev/shm.
+    """Return a command that runs `command` with its own network, read-only files, and a private /dev/shm.
 
-    For children of this process: all ends with it, and with the thread that starts it. `groups`: the folder for memory
-    cgroups, the one place of the machine that it may write to. Raises NoSandbox.
+    Only for children of this process: the sandbox ends with this process and with the thread that starts it. `groups`:
+    the folder for memory cgroups, the only place on the machine that `command` may write to. Raises NoSandbox.
     """
     return [
         *(sys.executable, "-I", "-S", str(RUN), "subreaper", str(os.getpid())),
@@ -43,15 +47,19 @@ def outer_command(command: Sequence[str], groups: Path | None = None) -> list[st
 
 
 def empty_outer_command(info_fd: int, groups: Path | None = None) -> list[str]:
-    """An outer sandbox for a process to enter: it says "ready", and stays until its first process is killed.
+    """Return a command for an empty outer sandbox. It prints "ready", and stays until its first process is killed.
 
-    `info_fd`: where bubblewrap tells which process that is. Within another outer sandbox, which see. Raises NoSandbox.
+    `info_fd`: the descriptor to which bubblewrap writes that process's id. It must run within another outer sandbox
+    (see `outer_command`). Raises NoSandbox.
     """
     return _outer(WAITS, groups, ("--info-fd", str(info_fd)))
 
 
 def _outer(command: Sequence[str], groups: Path | None, options: Sequence[str] = ()) -> list[str]:
-    """/proc must stay that of the machine: the kernel refuses a fresh one in the inner sandbox otherwise."""
+    """Return the command for an outer sandbox.
+
+    Its /proc must stay the machine's, because otherwise the kernel refuses a new one in the inner sandbox.
+    """
     writable = [] if groups is None else ["--bind", str(groups), str(groups)]
     setting = [word for name, value in OUTER_ENVIRONMENT.items() for word in ("--setenv", name, value)]
     return [
@@ -75,12 +83,12 @@ def inner_command(
     environ: Mapping[str, str],
     options: Sequence[str],
 ) -> list[str]:
-    """`command` in a sandbox for one program. Raises NoSandbox.
+    """Return a command that runs `command` in a sandbox for one program. Raises NoSandbox.
 
-    `files`: descriptors of what is copied to the answer's folder, by name, because a mount would show where the
-    original is; `readable`: what else it may read, besides the system's folders; `environ`: its whole environment;
-    `options`: further options of bubblewrap. /dev/full reads as /dev/zero does, but gives no shared memory, which
-    nothing would count. There are no terminals: all sandboxes would share their number.
+    `files`: descriptors of the files to copy to the answer's folder, by name; a mount would reveal the original path.
+    `readable`: other files that it may read, in addition to the system's folders. `environ`: its complete environment.
+    `options`: further bubblewrap options. /dev/full replaces /dev/zero, because it reads the same but provides no
+    shared memory, which wouldn't be counted. There are no terminals, because all sandboxes would share their number.
     """
     sandboxed = [
         _bwrap(),
@@ -91,30 +99,37 @@ def inner_command(
         *("--proc", "/proc", "--dev", "/dev", "--dev-bind", "/dev/full", "/dev/zero"),
         *("--tmpfs", "/dev/pts"),
     ]
-    for folder in WRITABLE:  # before what is bound below them
+    for folder in WRITABLE:  # before the mounts below them
         sandboxed += ["--size", str(WRITABLE_BYTES), "--tmpfs", folder]
-    for folder in SYSTEM_FOLDERS:
-        path = Path(folder)
-        if path.is_symlink():
-            sandboxed += ["--symlink", os.readlink(path), folder]
-        elif path.is_dir():
-            sandboxed += ["--ro-bind", folder, folder]
-    for name in SYSTEM_FILES:
-        sandboxed += ["--ro-bind-try", name, name]
+    sandboxed += system_files()
     for path in readable:
         sandboxed += ["--ro-bind", str(path), str(path)]
     for name, descriptor in files.items():
         sandboxed += ["--ro-bind-data", str(descriptor), f"{ANSWER_FOLDER}/{name}"]
     for name, value in environ.items():
         sandboxed += ["--setenv", name, value]
-    for folder in READ_ONLY:  # after everything that is bound below them
+    for folder in READ_ONLY:  # after all mounts below them
         sandboxed += ["--remount-ro", folder]
     return [*sandboxed, "--chdir", HOME, "--", *command]
 
 
+def system_files() -> list[str]:
+    """Return options that mount the system files that every program needs, read-only."""
+    options = []
+    for folder in SYSTEM_FOLDERS:
+        path = Path(folder)
+        if path.is_symlink():
+            options += ["--symlink", os.readlink(path), folder]
+        elif path.is_dir():
+            options += ["--ro-bind", folder, folder]
+    for name in SYSTEM_FILES:
+        options += ["--ro-bind-try", name, name]
+    return options
+
+
 @cache
 def sandbox_problem() -> str | None:
-    """Why programs cannot be sandboxed here, and what to do; None when they can. Tries it, once."""
+    """Return why programs can't be sandboxed here, and what to do; None if they can. The first call tries it."""
     if shutil.which("bwrap") is None:
         return "bubblewrap is not installed (apt install bubblewrap)"
     read_fd, write_fd = os.pipe()

@@ -1,4 +1,4 @@
-"""What of this machine every program needs to read, in whatever tier."""
+"""List the files on this machine that every program needs to read, in any tier."""
 
 import os
 import stat
@@ -9,7 +9,7 @@ SYSTEM_FOLDERS = ("/usr", "/lib", "/lib64", "/bin", "/sbin")
 SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime", "/etc/alternatives")
 PATH_OF_PROGRAMS = "/usr/bin:/bin"
 NOT_FOR_ANSWERS = ("WORKBOOK_RUN", "XDG_CACHE_HOME")
-"""Variables of the judge that would tell a program that it is being judged."""
+"""The judge's variables that would reveal to a program that it's being judged."""
 HOST_FILES = (
     "run.py",
     "host.py",
@@ -19,14 +19,17 @@ HOST_FILES = (
     "field_values.py",
     "missing_names.py",
 )
-"""What of `workbook/inside` runs in an answer's process."""
+"""The files of `workbook/inside` that run in an answer's process."""
 GIVEN = ("__init__.py", "models", "scenes")
-"""What of the workbook an answer may import: a trained model that an exercise gives, and what it needs."""
+"""The parts of the workbook that an answer may import: an exercise's trained model, and the modules it needs."""
 _PACKAGE = Path(__file__).resolve().parents[1]
 
 
 def interpreter_folders() -> tuple[Path, ...]:
-    """Where Python, its packages, what runs an answer, and what is given to it lie; nothing of the course besides."""
+    """Return the folders of Python, its packages, the host, and the answer's files.
+
+    No other folder of the course is included.
+    """
     ours = (*(_PACKAGE / "inside" / name for name in HOST_FILES), *given_files())
     profile = _PACKAGE / "ros" / "loopback.xml"
     folders = {Path(sys.base_prefix).resolve(), Path(sys.prefix).resolve(), Path(sys.prefix)}
@@ -38,12 +41,12 @@ def interpreter_folders() -> tuple[Path, ...]:
 
 
 def given_files() -> tuple[Path, ...]:
-    """Where the part of the package `workbook` lies that an answer may import."""
+    """Return the paths of the parts of the package `workbook` that an answer may import."""
     return tuple(_PACKAGE / name for name in GIVEN)
 
 
 def closed_folder() -> Path | None:
-    """A folder on the way to Python and its packages that other users may not enter."""
+    """Return a folder on the path to Python or its packages that other users may not enter; None if there's none."""
     for place in (*interpreter_folders(), Path(sys.executable), Path(sys.executable).resolve()):
         for folder in reversed(place.parents):
             if not os.stat(folder).st_mode & stat.S_IXOTH:

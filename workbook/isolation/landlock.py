@@ -1,4 +1,4 @@
-"""The tier "landlock": the kernel hides all files but those that a program needs. For an ordinary user, too."""
+"""The tier "landlock": the kernel hides all files that a program doesn't need. It also works for ordinary users."""
 
 import os
 import shutil
@@ -35,7 +35,8 @@ NOT_FOR_OTHER_USERS = (*NOT_FOR_ANSWERS, "USER", "LOGNAME")
 class ConfinedProgram:
     """A program that `inside/confine.py` confines before it starts. See `workbook.programs.tier.Confinement`.
 
-    It reads its files in a folder of its own (`files`), and may write to `scratch`. `hides_files`: by Landlock.
+    It reads its files from a separate folder (`files`), and may write to `scratch`. `hides_files`: whether Landlock
+    hides other files.
     """
 
     scratch: Path
@@ -43,13 +44,13 @@ class ConfinedProgram:
     hides_files: bool = True
 
     def bring(self, file: Path, name: str) -> str:
-        """Copy the file into `files`. Returns the path of the copy."""
+        """Copy the file into `files`. Return the copy's path."""
         brought = self.files / name
         shutil.copyfile(file, brought)
         return str(brought)
 
     def host_options(self, limits: Limits) -> list[str]:
-        """The limits that the kernel enforces for each process."""
+        """Return options for the limits that the kernel enforces per process."""
         return limit_options(limits, KERNEL_LIMITS)
 
     def start(self, order: Order) -> Started:
@@ -64,21 +65,21 @@ class ConfinedProgram:
         )
 
     def environment(self, environ: Mapping[str, str]) -> dict[str, str]:
-        """What the program finds in its environment."""
+        """Return the program's environment."""
         inside = {name: value for name, value in environ.items() if name not in NOT_FOR_OTHER_USERS}
         inside |= {name: str(self.scratch) for name in ("HOME", "TMPDIR", "ROS_LOG_DIR")}
         inside["PATH"] = PATH_OF_PROGRAMS
         profile = inside.get(PROFILE)
         if profile is not None and Path(profile).parent != self.files:
-            # One that cannot be read would let DDS talk to the whole network.
+            # With an unreadable profile, DDS would use the whole network.
             inside[PROFILE] = self.bring(Path(profile), "profile.xml")
         inside["PYTHONPATH"] = str(self.give().parent)
         return inside
 
     def give(self) -> Path:
-        """Make a package `workbook` of what an answer may import. Returns its folder.
+        """Create a package `workbook` from the parts that an answer may import. Return its folder.
 
-        Python lists a folder to find a package in it, and the folder of the course is hidden.
+        To find a package, Python lists the folder that contains it, but the course's folder is hidden.
         """
         package = self.files / "given" / "workbook"
         package.mkdir(parents=True, exist_ok=True)
@@ -89,7 +90,7 @@ class ConfinedProgram:
         return package
 
     def options(self, limits: Limits) -> list[str]:
-        """What `confine.py` is to do."""
+        """Return the options for `confine.py`."""
         if not self.hides_files:
             return []
         readable = (*SYSTEM_FOLDERS, *SYSTEM_FILES, *READABLE_DEVICES, *interpreter_folders(), self.files)
@@ -97,40 +98,40 @@ class ConfinedProgram:
         return options + [part for path in self.writable() for part in ("--write", str(path))]
 
     def writable(self) -> tuple[str, ...]:
-        """Where the program may write."""
+        """Return the paths that the program may write to."""
         return (str(self.scratch), os.devnull)
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """What the program writes."""
+        """Measures the files that the program writes."""
         return WrittenFiles(self.scratch)
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """How many files the program has made, in all folders together."""
+        """Return how many files the program has created, in all folders together."""
         return self.written.look().files
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """What the program has written to files."""
+        """Return how many bytes the program has written to files."""
         return self.written.look().bytes
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """How many sockets the program and all that it has started have open."""
+        """Return how many sockets these processes have open."""
         return proc.sockets_open(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Zero: the network is that of the machine."""
+        """Return zero, because the program uses the machine's network, whose sockets aren't only its own."""
         return 0
 
     def exceeded(self) -> str | None:
-        """None: the tier itself has no memory cgroup."""
+        """Return None, because this tier has no memory cgroup."""
         return None
 
     def unfiltered(self) -> str:
-        """Why system calls cannot be filtered on this machine; else empty."""
+        """Return why system calls can't be filtered on this machine; empty if they can."""
         return filter_problem()
 
     def sweep(self) -> bool:
-        """Kill the processes that the program left behind. Returns whether there were any. Raises StillThere."""
+        """Kill the processes that the program left behind. Return whether there were any. Raises StillThere."""
         return sweep_orphans() > 0
 
     def remove(self) -> None:
@@ -139,8 +140,8 @@ class ConfinedProgram:
 
 
 class LandlockTier:
-    """See `workbook.programs.tier.Tier`, and `LimitsTier` for what this process must do."""
+    """See `workbook.programs.tier.Tier`. `LimitsTier` describes what it requires of this process."""
 
     def confine(self, scratch: Path) -> Confinement:
-        """A confinement with a folder of its own for the files that the program reads."""
+        """Return a confinement with a separate folder for the files that the program reads."""
         return ConfinedProgram(scratch, scratch_folder("files"))

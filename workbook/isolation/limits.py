@@ -1,4 +1,4 @@
-"""The tier "limits": resource limits, and an end to all that a program has started."""
+"""The tier "limits": it limits resources, and kills the processes that a program leaves behind."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -13,44 +13,44 @@ from workbook.programs.unconfined import UnconfinedProgram
 
 @dataclass(frozen=True)
 class LimitedProgram(UnconfinedProgram):
-    """See `workbook.programs.tier.Confinement`. What the program writes to its temporary folder goes with it."""
+    """See `workbook.programs.tier.Confinement`. The program's temporary files are removed with its folder."""
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """What the program writes to the folder that it works in."""
+        """Measures the files that the program writes to its working folder."""
         return WrittenFiles(self.scratch)
 
     @cached_property
     def shared(self) -> SharedMemory:
-        """What has come to shared memory since the program began."""
+        """Measures the shared memory that has appeared since the program began."""
         return SharedMemory()
 
     def start(self, order: Order) -> Started:
-        """See `UnconfinedProgram`; temporary files go to the folder that the program works in."""
-        assert self.shared  # what is there before it begins is not its own
+        """See `UnconfinedProgram`. Temporary files go to the program's working folder."""
+        assert self.shared  # remember the files from before it began, which aren't its own
         return super().start(replace(order, environ={**order.environ, "TMPDIR": str(self.scratch)}))
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """How many files the program has made in the folder that it works in."""
+        """Return how many files the program has created in its working folder."""
         return self.written.look().files
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """What the program has written to the folder that it works in, and to shared memory."""
+        """Return how many bytes the program has written to its working folder, and to shared memory."""
         own = self.written.look().bytes
         return max(own, self.shared.bytes_of(pids, own))
 
     def sweep(self) -> bool:
-        """Kill the processes that the program left behind. Returns whether there were any. Raises StillThere."""
+        """Kill the processes that the program left behind. Return whether there were any. Raises StillThere."""
         return sweep_orphans() > 0
 
 
 class LimitsTier:
     """See `workbook.programs.tier.Tier`.
 
-    For a process that adopts what programs leave behind (see `adopt_orphans`), and has no other children but its fork
-    server.
+    This process must adopt the processes that programs leave behind (see `adopt_orphans`). Its only other child may be
+    its fork server.
     """
 
     def confine(self, scratch: Path) -> Confinement:
-        """A confinement that limits resources, hides no files, and kills what the program leaves behind."""
+        """Return a confinement that limits resources, hides no files, and kills leftover processes."""
         return LimitedProgram(scratch)

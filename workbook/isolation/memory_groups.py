@@ -1,9 +1,10 @@
-"""Memory cgroups: the kernel itself counts all memory of an answer, and ends it at the limit.
+"""Use memory cgroups, with which the kernel counts all of an answer's memory and ends the answer at the limit.
 
-It counts what watching cannot see at once: files in memory, shared memory, pipes, page tables, and sockets. All groups
-of a grader are below its own, so that whatever limits the grader limits its answers as well: one that `group_keeper`
-makes and removes, however the grader ends; in it one for each slot (`lease_groups`), and in that one for each answer.
-Where that cannot be done, `groups_problem` says why, and resident and shared memory are watched as before.
+The kernel also counts memory that polling misses: files in memory, shared memory, pipes, page tables, and sockets. All
+groups of a `workbook grade` are below its own group, so that group's limits also apply to its answers. `group_keeper`
+creates one group there, and removes it even if our process is killed. It contains a group per slot (`lease_groups`),
+which contains a group per answer. If that isn't possible, `groups_problem` gives the reason. Then the judge polls
+resident and shared memory instead.
 """
 
 import atexit
@@ -36,23 +37,23 @@ from workbook.recording.limits import ANSWER_LIMITS, Limits
 
 PREFIX = "rclpy-workbook-"
 LEAF = "grader-of-rclpy-workbook"
-"""Where a grader moves in cgroup v2: a group that holds processes cannot divide its memory among groups below it."""
+"""Our own group in cgroup v2. It's needed because a group with processes can't divide its memory among subgroups."""
 SOCKETS_FACTOR = 2
-"""The kernel lets sockets hold twice what the judge does, so that the judge sees who holds too much, and says so."""
+"""The factor between the kernel's limit on socket memory and the judge's. It lets the judge report the excess."""
 _JOIN = ("/bin/sh", "-c", 'echo 0 >"$0"')
 _JOIN_S = 10.0
 _DELEGATE = "systemd-run --user --scope -p Delegate=memory workbook grade …"
 _once = threading.RLock()
-"""Slots start side by side; what they share is made by the first one, while the others wait."""
+"""Slots start in parallel. The first one creates their shared group while the others wait."""
 
 
 class NoMemoryGroups(RuntimeError):
-    """No memory cgroup can be had here. The message says why."""
+    """No memory cgroup is available. The message says why."""
 
 
 @dataclass(frozen=True)
 class Hierarchy:
-    """The groups of this machine as this process sees them: version 1 or 2, where they are mounted, and its own."""
+    """The machine's cgroups as this process sees them: version 1 or 2, their mount point, and its own group."""
 
     version: int
     mount: Path
@@ -60,7 +61,7 @@ class Hierarchy:
 
 
 def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierarchy:
-    """The hierarchy that counts memory, by two tables of the kernel. Raises NoMemoryGroups."""
+    """Find the hierarchy that counts memory, using two of the kernel's tables. Raises NoMemoryGroups."""
     memberships = own_groups(groups)
     first = [path for _, controllers, path in memberships if "memory" in controllers.split(",")]
     second = [path for number, controllers, path in memberships if number == "0" and not controllers]
@@ -76,7 +77,7 @@ def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierar
 
 
 class MemoryGroup:
-    """The group of one answer, with its limits. Raises OSError when the kernel grants none."""
+    """One answer's group, with its limits. Raises OSError if the kernel doesn't grant one."""
 
     def __init__(self, folder: Path, limits: Limits) -> None:
         self.version = version_of(str(folder))
@@ -92,7 +93,7 @@ class MemoryGroup:
 
     @property
     def joins(self) -> str:
-        """The file to which a process writes "0" to join: in version 1 the one that takes no lock of all processes."""
+        """The file to which a process writes "0" to join. Version 1 has one that doesn't lock all processes."""
         return str(self.path / ("tasks" if self.version == 1 else "cgroup.procs"))
 
     def _limit(self) -> None:
@@ -100,18 +101,18 @@ class MemoryGroup:
         if self.version == 2:
             write(str(self.path / "memory.max"), str(memory))
             for name, value in (("memory.swap.max", "0"), ("memory.oom.group", "1")):
-                with suppress(FileNotFoundError):  # a kernel without swap, or older than 4.19
+                with suppress(FileNotFoundError):  # the kernel has no swap, or is older than 4.19
                     write(str(self.path / name), value)
             return
         write(str(self.path / "memory.limit_in_bytes"), str(memory))
-        with suppress(OSError):  # a kernel that does not count swap
+        with suppress(OSError):  # the kernel doesn't count swap
             write(str(self.path / "memory.memsw.limit_in_bytes"), str(memory))
         if queued is not None:
-            with suppress(OSError):  # or sockets
+            with suppress(OSError):  # the kernel doesn't count socket memory
                 write(str(self.path / "memory.kmem.tcp.limit_in_bytes"), str(SOCKETS_FACTOR * queued))
 
     def exceeded(self) -> str | None:
-        """The limit that was exceeded up to now, in the words of `Limits`; None if none was."""
+        """Return the limit that has been exceeded so far, named as in `Limits`; None if none has."""
         if self._exceeded is None:
             if self._ended_by_kernel():
                 self._exceeded = "memory"
@@ -136,13 +137,13 @@ class MemoryGroup:
         return number_in(self.path / "memory.stat", "kernel")  # zero before Linux 5.18
 
     def remove(self) -> None:
-        """Note for the last time what was exceeded, end what is left in the group, and remove it."""
+        """Check the limits one last time, end the group's remaining processes, and remove the group."""
         self.exceeded()
         remove_group(str(self.path))
 
 
 def number_in(path: Path, name: str = "") -> int:
-    """The number in a file of a group, or behind `name` in a table; zero where there is none."""
+    """Return the number in a group's file, or after `name` in a table; zero if there's none."""
     try:
         rows = [line.split() for line in read_text(str(path)).splitlines()]
         return next((int(row[-1]) for row in rows if not name or row[0] == name), 0)
@@ -151,9 +152,9 @@ def number_in(path: Path, name: str = "") -> int:
 
 
 class LeasedGroups:
-    """The group of one slot, below `above`, which holds those of its answers. Raises OSError.
+    """A slot's group, below `above`, which contains its answers' groups. Raises OSError.
 
-    `given_back` is called once, after it was removed.
+    `given_back` is called once, after the group has been removed.
     """
 
     def __init__(self, above: Path, given_back: Callable[[], None] = lambda: None) -> None:
@@ -167,14 +168,14 @@ class LeasedGroups:
         self._given_back.append(given_back)
 
     def remove(self) -> None:
-        """End what is left in it, and remove it."""
+        """End the group's remaining processes, and remove the group."""
         remove_group(str(self.path))
         while self._given_back:
             self._given_back.pop()()
 
 
 class KeptGroup:
-    """A group below `own` that is gone when this process is, and by `close`. Raises NoMemoryGroups."""
+    """A group below `own` that's removed by `close`, or when this process ends. Raises NoMemoryGroups."""
 
     def __init__(self, own: Path) -> None:
         self._owner = os.getpid()
@@ -195,16 +196,16 @@ class KeptGroup:
         self.path = Path(told)
 
     def close(self) -> None:
-        """Have it removed, and wait for that. A fork of this process has nothing to close."""
+        """Let the keeper remove the group, and wait for that. In a fork of this process, do nothing."""
         if self._owner == os.getpid():
             self._keeper.communicate()
             forget(self._keeper.pid)
 
 
 def lease_groups() -> LeasedGroups | None:
-    """A group for one slot; None where none can be had (see `groups_problem`).
+    """Return a group for one slot; None if that's impossible (see `groups_problem`).
 
-    With the last one that is removed, their keeper ends, too.
+    When the last group is removed, the groups' keeper also ends.
     """
     if groups_problem() is not None:
         return None
@@ -218,9 +219,9 @@ def lease_groups() -> LeasedGroups | None:
 
 
 def groups_problem() -> str | None:
-    """Why answers get no memory cgroup here; None when they do. Makes one, joins it and removes it, once.
+    """Return why answers get no memory cgroup here; None if they do. The first call tries it with a group.
 
-    Removes what killed graders have left, too.
+    It also removes the groups that killed processes left behind.
     """
     with _once:
         return _groups_problem()
@@ -238,7 +239,7 @@ def _groups_problem() -> str | None:
 
 
 def groups_in_words() -> str:
-    """How the memory of answers is limited on this machine, as a sentence."""
+    """Describe in a sentence how answers' memory is limited on this machine."""
     problem = groups_problem()
     if problem is None:
         return f"Memory is limited by a cgroup (version {find_hierarchy().version})."
@@ -246,28 +247,31 @@ def groups_in_words() -> str:
 
 
 class _Keeper:
-    """The group that holds all others of this process, while there is a use for it. Not for two threads at once."""
+    """Holds the group that contains all of this process's other groups, while it's in use.
+
+    Not thread-safe.
+    """
 
     def __init__(self) -> None:
         self._kept: KeptGroup | None = None
         self.leases = 0
 
     def kept(self) -> KeptGroup:
-        """The group, made now if there is none. Raises NoMemoryGroups."""
+        """Return the group, creating it if necessary. Raises NoMemoryGroups."""
         if self._kept is None:
             self._kept = KeptGroup(prepare(find_hierarchy()))
             atexit.register(self._kept.close)
         return self._kept
 
     def given_back(self) -> None:
-        """One lease less."""
+        """Decrease the number of leases by one. After the last one, remove the group."""
         with _once:
             self.leases -= 1
             if not self.leases:
                 self.close()
 
     def close(self) -> None:
-        """Have the group removed."""
+        """Remove the group, if there is one."""
         if self._kept is not None:
             kept, self._kept = self._kept, None
             atexit.unregister(kept.close)
@@ -278,9 +282,9 @@ _keeper = _Keeper()
 
 
 def prepare(hierarchy: Hierarchy) -> Path:
-    """Let groups below this process's own count memory. Returns that group. Raises NoMemoryGroups.
+    """Let the groups below this process's own group count memory. Return that group. Raises NoMemoryGroups.
 
-    In version 2 this process and all that it has started move to a leaf, if nobody else's process is in the group.
+    In version 2, this process and its descendants move to a leaf, unless the group also contains other processes.
     """
     own = hierarchy.own
     if hierarchy.version == 1:
@@ -320,7 +324,7 @@ def _words(path: Path) -> list[str]:
 
 
 def try_out(above: Path) -> None:
-    """Make a group for an answer, let a process join it, and remove it. Raises NoMemoryGroups."""
+    """Create a group for an answer, let a process join it, and remove it. Raises NoMemoryGroups."""
     try:
         groups = LeasedGroups(above)
     except OSError as error:
@@ -339,7 +343,7 @@ def try_out(above: Path) -> None:
 
 
 def sweep_groups(mount: Path) -> None:
-    """Remove the groups of graders that were killed, in the whole hierarchy."""
+    """Remove the groups of killed processes in the whole hierarchy."""
     waiting = [str(mount)]
     while waiting:
         for group in groups_in(waiting.pop()):
@@ -357,7 +361,7 @@ def _remove_if_nobodys(group: str) -> None:
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         remove_group(group)
-    except BlockingIOError:  # its grader is alive
+    except BlockingIOError:  # the group's owner is alive
         pass
     finally:
         os.close(descriptor)

@@ -1,8 +1,8 @@
-"""The tier "sandbox": bubblewrap in bubblewrap.
+"""Run bubblewrap in bubblewrap (the tier "sandbox").
 
-The outer sandbox holds the observer and gives it a network of its own. An inner one holds one answer: the same network
-and nothing else; no capabilities, no other processes, no files but the interpreter and the answer itself, read-only,
-and small folders in memory to write to.
+The outer sandbox contains the observer, with a separate network. An inner one contains one answer, with that network,
+but without capabilities or other processes. Its only files are the interpreter and the answer, both read-only. It may
+write only to small folders in memory.
 """
 
 import json
@@ -37,7 +37,7 @@ Code = TypeVar("Code", int, int | None)
 
 
 def filter_file() -> int:
-    """Open a new file that holds the filter of system calls for bubblewrap; -1 where none can be installed."""
+    """Write bubblewrap's system call filter to a new file, and return its descriptor; -1 if there's no filter."""
     program = against_sandbox_escapes()
     if program is None:
         return -1
@@ -47,9 +47,9 @@ def filter_file() -> int:
 
 
 class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it; `descriptors`: what bubblewrap says about itself, and what else it needs.
+    """A sandbox with a program in it. `descriptors`: the one for bubblewrap's status, and others that it needs.
 
-    bubblewrap gets no environment and no folder of ours: its first process in the sandbox would show them.
+    bubblewrap gets none of our environment or folders, because its first process in the sandbox would reveal them.
     """
 
     def __init__(self, command: Sequence[str], order: Order, descriptors: Sequence[int]) -> None:
@@ -57,11 +57,11 @@ class SandboxedProgram(FreshProgram):
         self._info_fd = descriptors[0]
 
     def poll(self) -> int | None:
-        """The program's exit code (negative: the signal that ended it), or None while bubblewrap runs."""
+        """Return the program's exit code (negative: a signal's number); None while bubblewrap runs."""
         return exit_status(super().poll())
 
     def interrupt(self) -> None:
-        """Send SIGINT to the program inside the sandbox; does nothing before it is there or after it has ended."""
+        """Send SIGINT to the program in the sandbox. Before the program's start and after its end, do nothing."""
         pid = program_pid(read_info(self._info_fd))
         if pid is not None:
             with suppress(ProcessLookupError):
@@ -70,29 +70,32 @@ class SandboxedProgram(FreshProgram):
 
 @dataclass(frozen=True)
 class SandboxedFork:
-    """A program that was forked into a sandbox. See `workbook.programs.tier.Child`."""
+    """A program that was forked into a sandbox; see `workbook.programs.tier.Child`."""
 
     program: ForkedProgram
     sandbox: "subprocess.Popen[bytes]"
 
     @property
     def pid(self) -> int:
-        """Process number of the program, as this process sees it."""
+        """The program's process id, as this process sees it."""
         return self.program.pid
 
     def poll(self) -> int | None:
-        """The program's exit code (negative: the signal that ended it), or None while it runs. Raises ServerGone."""
+        """Return the program's exit code (negative: a signal's number); None while it runs.
+
+        Raises ServerGone.
+        """
         return self._unless_lost(self.program.poll())
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program to end and return its exit code.
+        """Wait for the program to end, and return its exit code.
 
-        Raises subprocess.TimeoutExpired after `timeout` s, and ServerGone.
+        Raises ServerGone, and subprocess.TimeoutExpired after `timeout` s.
         """
         return self._unless_lost(self.program.wait(timeout))
 
     def _unless_lost(self, code: Code) -> Code:
-        """No program in a sandbox can end its supervisor."""
+        """Return the exit code. Raises ServerGone if the supervisor is gone, which no program in a sandbox can end."""
         if self.program.is_lost:
             raise ServerGone("the process is gone that this program was forked from")
         return code
@@ -102,7 +105,7 @@ class SandboxedFork:
         self.program.interrupt()
 
     def tree(self) -> list[int]:
-        """Process numbers of the program, what it has started, and the processes of the sandbox."""
+        """Return the process ids of the program, its descendants, and the sandbox."""
         around = proc.process_tree(self.sandbox.pid)
         return [*self.program.tree(), *(around if self.sandbox.poll() is None else around[1:])]
 
@@ -119,7 +122,8 @@ class SandboxedFork:
 class Sandbox:
     """One program's sandbox. See `workbook.programs.tier.Confinement`.
 
-    `readable`: what a program may read besides its own files. With a `server` the program is forked into the sandbox.
+    `readable`: the files that a program may read in addition to its own. If there's a `server`, it forks the program
+    into the sandbox.
     """
 
     scratch: Path
@@ -133,27 +137,27 @@ class Sandbox:
 
     @property
     def descriptors(self) -> list[int]:
-        """What bubblewrap must inherit."""
+        """The descriptors that bubblewrap must inherit."""
         return [one for one in (self.info_fd, self.filter_fd, *self._files.values()) if one >= 0]
 
     def bring(self, file: Path, name: str) -> str:
-        """Have the file copied to the sandbox. Returns its path there."""
+        """Let bubblewrap copy the file into the sandbox. Return its path there."""
         self._files[name] = os.open(file, os.O_RDONLY | os.O_CLOEXEC)
         return f"{ANSWER_FOLDER}/{name}"
 
     def host_options(self, limits: Limits) -> list[str]:
-        """The limits that the kernel enforces, that of processes included."""
+        """Return options for the limits that the kernel enforces, including the number of processes."""
         return limit_options(limits, (*KERNEL_LIMITS, "processes"))
 
     def start(self, order: Order) -> Started:
-        """Start the program in a sandbox of its own, forked from the server where possible. Raises OSError."""
+        """Start the program in a separate sandbox, forked from the server if possible. Raises OSError."""
         began = time.monotonic()
         self._sockets_before, self._queued_before = proc.sockets_of_network(), proc.queued_bytes(0)
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
             return Started(forked, began)
-        # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
+        # Without --parent, because a sandbox ends with us anyway, and our process id isn't visible in it.
         command = joining(
             order.cgroup_join_file, self.command(host_command("--attended", *order.arguments), environ)
         )
@@ -162,12 +166,12 @@ class Sandbox:
     def command(
         self, command: Sequence[str], environ: Mapping[str, str], options: Sequence[str] = ()
     ) -> list[str]:
-        """`command` in this sandbox, in the environment `environ` and with further options of bubblewrap.
+        """Return a command that runs `command` in this sandbox, with this environment and further bubblewrap options.
 
-        The filter of system calls holds for the first process, too: a program may write to its memory.
+        The system call filter also applies to the sandbox's first process, because a program may write to its memory.
         """
         filtered = () if self.filter_fd < 0 else ("--seccomp", str(self.filter_fd))
-        for descriptor in self.descriptors[1:]:  # bubblewrap reads them, perhaps for the second time
+        for descriptor in self.descriptors[1:]:  # bubblewrap reads them, possibly for the second time
             os.lseek(descriptor, 0, os.SEEK_SET)
         return inner_command(
             command,
@@ -178,11 +182,11 @@ class Sandbox:
         )
 
     def empty(self) -> list[str]:
-        """An empty sandbox. It says "ready" on standard output, and stays until its first process is killed."""
+        """Return a command for an empty sandbox. It prints "ready", and stays until its first process is killed."""
         return self.command(WAITS, {}, ("--as-pid-1",))
 
     def _fork(self, server: ForkServer, environ: Mapping[str, str], order: Order) -> Child | None:
-        """Make an empty sandbox and fork the program into it. None if that does not work here."""
+        """Create an empty sandbox, and fork the program into it. Return None if that doesn't work here."""
         server.start(environ)
         ready_fd, said_fd = os.pipe()
         try:
@@ -214,35 +218,35 @@ class Sandbox:
             return None
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """How many files the fullest folder holds that the program may write to."""
+        """Return how many files the fullest of the program's writable folders contains."""
         return most_files(pids)
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Zero: the folders that a program can write to are file systems of its own, of a fixed size."""
+        """Return zero, because a program can write only to private file systems with a fixed size."""
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """How many sockets have come to the network of the program and this process, sent ones included."""
+        """Return how many sockets were added to the network of the program and this process, including sent ones."""
         return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """What has come to the sockets of this network and waits unread, from `worth_counting` bytes on; else zero."""
+        """Return how many more unread bytes this network's sockets hold than at the start; see `proc.queued_bytes`."""
         return proc.queued_bytes(worth_counting) - self._queued_before
 
     def exceeded(self) -> str | None:
-        """None: the tier itself has no memory cgroup."""
+        """Return None, because this tier has no memory cgroup."""
         return None
 
     def unfiltered(self) -> str:
-        """Why system calls cannot be filtered on this machine; else empty."""
+        """Return why system calls can't be filtered on this machine; empty if they can."""
         return filter_problem()
 
     def sweep(self) -> bool:
-        """False, and nothing to do: every process in a sandbox ends with it."""
-        return False  # what is in a sandbox ends with it
+        """Return False without doing anything, because every process in a sandbox ends with it."""
+        return False  # a sandbox's processes end with it
 
     def remove(self) -> None:
-        """Close the files that bubblewrap reports to and reads from."""
+        """Close the files that bubblewrap writes to and reads from."""
         for descriptor in self.descriptors:
             os.close(descriptor)
         self.info_fd = self.filter_fd = -1
@@ -251,11 +255,11 @@ class Sandbox:
 
 @dataclass(frozen=True)
 class SandboxTier:
-    """See `workbook.programs.tier.Tier`.
+    """The tier "sandbox". See `workbook.programs.tier.Tier`.
 
-    With a `server`, programs are forked from it into their sandboxes, which saves the start of a Python for each. With
-    an `alternate`, each comes from one of the two by chance. The programs of one server have the same seed for the
-    hashes of strings, so an answer that depends on the order of a set would get the same verdict in every try.
+    A `server` forks programs into their sandboxes, which saves starting Python for each. If there's an `alternate`, one
+    of the two servers is chosen at random for each program. All of a server's programs have the same hash seed for
+    strings. So without an alternate, an answer that depends on a set's order would get the same verdict in every try.
     """
 
     server: ForkServer | None = None
@@ -263,24 +267,24 @@ class SandboxTier:
     readable: tuple[Path, ...] = field(default_factory=interpreter_folders)
 
     def confine(self, scratch: Path) -> Confinement:
-        """A confinement in a sandbox that `start` creates."""
+        """Return a confinement in a sandbox that `start` creates."""
         return Sandbox(scratch, self.readable, random.choice((self.server, self.alternate or self.server)))
 
 
 def sandbox_environment(environ: Mapping[str, str]) -> dict[str, str]:
-    """What a program in a sandbox finds in its environment."""
+    """Return the environment for a program in a sandbox."""
     inside = {**environ, "HOME": HOME, "PWD": HOME, "PATH": PATH_OF_PROGRAMS}
     inside |= {"TMPDIR": "/tmp", "ROS_LOG_DIR": "/tmp"}
     return {name: value for name, value in inside.items() if name not in NOT_FOR_ANSWERS}
 
 
 def read_info(info_fd: int) -> str:
-    """What bubblewrap has told of itself up to now."""
+    """Return everything that bubblewrap has reported about itself so far."""
     return os.pread(info_fd, 4096, 0).decode()
 
 
 def first_pid(info: str) -> int | None:
-    """The first process of the sandbox, from what bubblewrap told; None while it is not there."""
+    """Return the sandbox's first process, from bubblewrap's report; None before it exists."""
     try:
         return int(json.loads(info)["child-pid"])
     except (ValueError, KeyError, TypeError):
@@ -288,9 +292,9 @@ def first_pid(info: str) -> int | None:
 
 
 def program_pid(info: str) -> int | None:
-    """The process that runs the program, from what bubblewrap told; None while it is not there.
+    """Return the process that runs the program, from bubblewrap's report; None before it exists.
 
-    The child of bubblewrap is the first process of the new process space; the program is the child of that.
+    bubblewrap's child is the first process in the new PID namespace, and the program is that process's child.
     """
     first = first_pid(info)
     below = [] if first is None else proc.children(first)
@@ -298,17 +302,18 @@ def program_pid(info: str) -> int | None:
 
 
 def exit_status(code: int | None) -> int | None:
-    """The exit code of the program as `subprocess` would tell it: negative for a signal; None while it runs.
+    """Convert bubblewrap's exit code to `subprocess`'s format: negative for a signal, and None while it runs.
 
-    bubblewrap says 128 + n for a program that signal n has ended. 130 is left alone: Python itself says it for Ctrl-C.
+    bubblewrap returns 128 + n for a program that was ended by signal n. But 130 stays unchanged, because Python itself
+    returns it after Ctrl-C.
     """
     return 128 - code if code is not None and 128 < code <= 128 + 31 and code != 130 else code
 
 
 def most_files(pids: Sequence[int]) -> int:
-    """How many files and folders the fullest folder holds that a program in a sandbox may write to.
+    """Return how many files and folders are in the fullest folder that a program in a sandbox may write to.
 
-    A process that is not in its sandbox yet sees the folders of the machine, which have more room: they do not count.
+    A process that isn't in its sandbox yet sees the machine's folders. They have more room, so we leave them out.
     """
     most = 0
     for pid in pids:

@@ -1,7 +1,9 @@
-"""The tiers of isolation by name, from the best to the weakest: making one, what it covers, and what it leaves open.
+"""Create isolation tiers by name, and describe their protection and its gaps.
 
-"sandbox": bubblewrap, a network of its own. "uid": a user id of its own for each slot, where the grader is root and the
-kernel grants no namespaces. "landlock": for an ordinary user; the kernel hides files. "limits": limits and a sweep.
+From the best to the weakest, they are "sandbox", "uid", "landlock", and "limits". The tier "sandbox" is bubblewrap,
+with a separate network. The tier "uid" gives each slot a separate user id, for use as root if the kernel grants no
+namespaces. The tier "landlock" lets the kernel hide files, and works for ordinary users. The tier "limits" only limits
+resources and ends leftover processes.
 """
 
 from collections.abc import Sequence
@@ -31,15 +33,15 @@ _KERNEL = "holes in the Linux kernel"
 
 
 def named_tier(name: str) -> Isolation:
-    """A tier by its name. Raises KeyError."""
+    """Look up a tier by name. Raises KeyError."""
     tiers: dict[str, Isolation] = {tier: tier for tier in BEST_FIRST}
     return tiers[name]
 
 
 def meets_others(isolation: Isolation) -> bool:
-    """Whether answers of strangers would meet on the network of this machine, so that one is judged after another.
+    """Return whether untrusted answers could interact on this machine's network, so that only one may run at a time.
 
-    In "limits" they meet as well, and more: it is for answers that one would run oneself.
+    In "limits", they could do that and more, but that tier is for answers that you'd run without isolation.
     """
     return isolation in ("uid", "landlock")
 
@@ -52,11 +54,11 @@ def make_tier(
     alternate: ForkServer | None = None,
     groups: Path | None = None,
 ) -> Tier:
-    """The tier of that name, for a process that adopts what programs leave behind (see `adopt_orphans`).
+    """Create the tier with this name, for a process that adopts orphaned processes (see `adopt_orphans`).
 
-    `ids`: for "uid", leased by the caller. `server` and `alternate`: for "sandbox", where each program is forked from
-    one of them. `groups`: the folder for memory cgroups, leased by the caller; None where there are none. Raises
-    ValueError without ids for "uid".
+    `ids`: for "uid", leased by the caller. `server` and `alternate`: for "sandbox", which forks each program from one
+    of them. `groups`: the folder for memory cgroups, leased by the caller; None if there are none. Raises ValueError
+    for "uid" without ids.
     """
     tier = _bare_tier(isolation, ids, server, alternate)
     return tier if groups is None else GroupedTier(tier, groups)
@@ -75,17 +77,20 @@ def _bare_tier(
 
 
 def lease_for(isolation: Isolation) -> Ids | None:
-    """What a slot needs to make the tier: user ids for "uid", nothing for the others. Raises NoIds."""
+    """Lease the user ids that a slot needs for the tier "uid". Return None for other tiers. Raises NoIds."""
     return lease_ids() if isolation == "uid" else None
 
 
 def slot_command(isolation: Isolation, command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """How a slot is started whose programs run in the tier. `groups`: see `make_tier`. Raises NoSandbox."""
+    """Return the command that starts a slot for this tier. `groups`: see `make_tier`. Raises NoSandbox."""
     return outer_command(command, groups) if isolation == "sandbox" else [*command]
 
 
 def known_problem(isolation: Isolation) -> str | None:
-    """Why a tier does not work here, and what to do, as far as it can be told without running a program in it."""
+    """Return why a tier doesn't work here, and what to do; None if no reason is known.
+
+    This finds only reasons that show up without running a program in the tier.
+    """
     if isolation == "sandbox":
         return sandbox_problem()
     if isolation == "landlock" and landlock_abi() == 0:
@@ -102,56 +107,54 @@ def known_problem(isolation: Isolation) -> str | None:
 
 
 def refuses(isolation: Isolation) -> set[str]:
-    """What a program must not be able to do in a tier, in the words of `inside/tier_probe.py`."""
+    """Return what a program must not be able to do in a tier, in the words of `inside/tier_probe.py`."""
     if isolation == "limits":
         return set()
     refused = {
-        "reads a file of the grader",
+        "reads a file of the judge",
         "changes its own file",
         "has capabilities",
         "can gain capabilities",
     }
     abi = landlock_abi()
-    if isolation != "sandbox":  # there, what lies beside it is in memory and goes with it
-        refused.add("writes beside its own file")
+    if isolation != "sandbox":  # in a sandbox, its neighbors are in memory and disappear with it
+        refused.add("writes next to its own file")
     if isolation == "uid" or (isolation == "landlock" and abi >= ABI_OF_SIGNALS):
-        refused.add("signals the grader")  # in a sandbox the number means another process
+        refused.add("signals the judge")  # in a sandbox, the process id belongs to another process
     if isolation == "sandbox" or abi >= ABI_OF_TCP:
         refused.add("connects to this machine")
     return refused
 
 
 IN_SHORT: dict[str, str] = {
-    "sandbox": "in a sandbox of bubblewrap, with a network of its own",
-    "uid": "as a user of its own",
+    "sandbox": "in a bubblewrap sandbox, with its own network",
+    "uid": "under its own user id",
     "landlock": "kept by the kernel from files that are not its own",
     "limits": "with limits on time, memory and processes, and with nothing else between it and this machine",
 }
-"""How an answer is kept from doing harm, in words for whoever reads a result."""
+"""How each tier protects the machine from an answer, in words for readers of a result."""
 
 
 def covers(isolation: Isolation) -> str:
-    """What isolates a program in a tier, as a part of a sentence."""
+    """Describe how a tier isolates a program, as part of a sentence."""
     if isolation == "sandbox":
-        return "a network, a process table and a few files of its own, by bubblewrap"
+        return "its own network, process table, and a few files, by bubblewrap"
     if isolation == "uid":
-        return "a user id of its own for each slot" + (", and Landlock hides files" if landlock_abi() else "")
+        return "a separate user id for each slot" + (", and Landlock hides files" if landlock_abi() else "")
     if isolation == "landlock":
         signals = ", and lets no signal out" if landlock_abi() >= ABI_OF_SIGNALS else ""
         return f"Landlock hides all files but Python and the answer{signals}"
-    return (
-        "resource limits and a ROS domain of its own; everything that an answer has started is ended with it"
-    )
+    return "resource limits and its own ROS domain; everything that an answer has started is ended with it"
 
 
 def unfiltered(isolation: Isolation) -> str:
-    """What is missing where a tier cannot filter system calls on this machine, as a sentence; else empty."""
+    """Return a sentence on missing protection if a tier can't filter system calls here; empty if it can."""
     problem = "" if isolation == "limits" else filter_problem()
     return f"System calls of answers are not filtered: {problem}." if problem else ""
 
 
 def leaves_open(isolation: Isolation) -> str:
-    """What a tier does not protect, in one sentence, or in two where it cannot filter system calls."""
+    """Describe what a tier doesn't protect, in one sentence, or in two if it can't filter system calls."""
     calls = f" {problem}" if (problem := unfiltered(isolation)) else ""
     if isolation == "sandbox":
         return f"Not protected: {_KERNEL}.{calls}"
@@ -165,7 +168,7 @@ def leaves_open(isolation: Isolation) -> str:
         open_to.insert(0, "the limits of your processes, with which an answer can end them")
         open_to.insert(0, "the permissions of your files, which an answer can change if it guesses the name")
     if isolation == "limits" or (isolation == "landlock" and abi < ABI_OF_SIGNALS):
-        open_to.insert(0, "your processes, this grader among them, which an answer can end")
+        open_to.insert(0, "your processes, including the judge, which an answer can end")
     if isolation == "limits":
         open_to.insert(0, "your files, other answers among them, which an answer can read and change")
         open_to.insert(-1, "the folders for temporary files, in which something may stay behind")

@@ -1,4 +1,4 @@
-"""The tier "uid": a user id of its own for each slot, where the grader is root, and Landlock where there is one."""
+"""Give each slot a separate user id (the tier "uid"), if we run as root, and use Landlock if the kernel has it."""
 
 import os
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ from workbook.recording.limits import ENDED_PROCESSES, Limits
 from workbook.ros.scratch import scratch_folder
 
 EXTRA_PROCESSES = 32
-"""How many more the kernel allows than the judge does, so that the judge sees who has too many, and says so."""
+"""How many more processes the kernel allows than the judge does, so that the judge can report the excess."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +29,7 @@ class UserProgram(ConfinedProgram):
     sweeps_orphans: bool = True
 
     def bring(self, file: Path, name: str) -> str:
-        """Copy the file to a folder that only root and the program's user can read. Returns the path of the copy."""
+        """Copy the file to a folder that only root and the program's user can read. Return the copy's path."""
         brought = super().bring(file, name)
         for place, mode in ((str(self.files), 0o750), (brought, 0o440)):
             os.chown(place, 0, self.ids.user)
@@ -37,7 +37,7 @@ class UserProgram(ConfinedProgram):
         return brought
 
     def give(self) -> Path:
-        """As its base, in folders that only root and the program's user can read."""
+        """Provide the files like the base class, but in folders that only root and the program's user can read."""
         package = super().give()
         for folder in (package.parent, package):
             os.chown(folder, 0, self.ids.user)
@@ -45,7 +45,7 @@ class UserProgram(ConfinedProgram):
         return package
 
     def options(self, limits: Limits) -> list[str]:
-        """As its base, and the user id and the limit of processes. Gives `scratch` to the program's user."""
+        """Return the base class's options, the user id, and the process limit. Give `scratch` to the program's user."""
         os.chown(self.scratch, self.ids.user, self.ids.user)
         options = ["--user", str(self.ids.user)]
         if limits.processes is not None:
@@ -54,18 +54,18 @@ class UserProgram(ConfinedProgram):
         return options + super().options(limits)
 
     def writable(self) -> tuple[str, ...]:
-        """As its base, and the shared memory that DDS uses."""
+        """Return the base class's paths, and the shared memory folder that DDS uses."""
         return (*super().writable(), "/dev/shm")
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """What the program writes, and what its user has in folders that everybody may write to."""
+        """Measures the program's files, and its user's files in folders that everyone may write to."""
         return WrittenFiles(self.scratch, shared_folders(), self.ids.user)
 
     def sweep(self) -> bool:
-        """Kill every process of the user and what the program left behind. Returns whether there was any.
+        """Kill all of the user's processes, and those that the program left behind. Return whether there were any.
 
-        Raises StillThere when a process does not end.
+        Raises StillThere if a process doesn't end.
         """
         left = self.ids.sweep()
         return (self.sweeps_orphans and sweep_orphans() > 0) or left
@@ -80,7 +80,7 @@ class UidTier:
     sweeps_orphans: bool = True
 
     def confine(self, scratch: Path) -> Confinement:
-        """A confinement that runs the program as the leased user."""
+        """Return a confinement that runs the program as the leased user."""
         return UserProgram(
             scratch,
             scratch_folder("files"),

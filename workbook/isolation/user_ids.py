@@ -1,6 +1,6 @@
-"""User ids for programs that are not trusted: ids that nobody has, a pair for each slot, and ending what runs there.
+"""Lease unused user ids for untrusted programs, a pair for each slot, and end the processes that run under them.
 
-An id needs no account. The second of a pair is for the process that ends the programs of the first (see `sweeper`).
+The ids need no accounts. A pair's second id is for the process that ends the first one's programs (see `sweeper`).
 """
 
 import ctypes
@@ -28,11 +28,11 @@ _IPC_REMOVE = 0
 
 
 class NoIds(RuntimeError):
-    """No user id can be leased here. The message says why."""
+    """No user id can be leased on this machine. The message says why."""
 
 
 class Ids:
-    """A leased user id, and the one that ends its programs. The lease lasts as long as `holder`, until `release`."""
+    """A leased user id, and the id that ends its programs. The lease ends with `release`, or when `holder` closes."""
 
     def __init__(self, user: int, holder: socket.socket | None = None) -> None:
         self.user = user
@@ -40,22 +40,25 @@ class Ids:
         self._holder = holder
 
     def release(self) -> None:
-        """End the lease; does nothing if it has ended."""
+        """End the lease. If it has already ended, do nothing."""
         if self._holder is not None:
             self._holder.close()
             self._holder = None
 
     def sweep(self) -> bool:
-        """End every process of `user`, and remove what it left: files in shared folders, System V shared memory.
+        """End all of `user`'s processes, and remove their files in shared folders and their System V IPC objects.
 
-        Returns whether a process was there. Raises StillThere when a process has not ended after twenty seconds.
+        Return whether there were any processes. Raises StillThere if a process hasn't ended after 20 s.
         """
         command = [sys.executable, "-I", "-S", str(RUN), "sweeper", str(self.user), str(self.sweeper)]
         found = bool(processes_of(self.user))
         deadline = time.monotonic() + LONGEST_SWEEP_S
         while True:
             done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
-            if done.returncode not in (0, -signal.SIGKILL):  # another sweeper of this user may end this one
+            if done.returncode not in (
+                0,
+                -signal.SIGKILL,
+            ):  # another sweeper of this user may have killed ours
                 raise StillThere(
                     f"user {self.user} still has processes or files: {done.stderr.strip()[-200:]}"
                 )
@@ -73,7 +76,7 @@ class Ids:
 def lease_ids() -> Ids:
     """Lease a pair of free ids, until `release` is called or this process ends. Raises NoIds."""
     if os.geteuid() != 0:
-        raise NoIds("only root can run programs under user ids of their own")
+        raise NoIds("only root can run programs under separate user ids")
     known = [one for one in RANGES if proc.knows_ids(*one)]
     if not known:
         raise NoIds("this container knows too few user ids (see /proc/self/uid_map)")
@@ -94,17 +97,17 @@ def lease_ids() -> Ids:
 
 
 def processes_of(user: int) -> list[int]:
-    """Processes of a user that have not ended."""
+    """Return a user's processes that haven't ended."""
     return [pid for pid, owner in proc.running_users() if owner == user]
 
 
 def shared_folders() -> tuple[str, ...]:
-    """The folders of this machine that everybody may write to."""
+    """Return this machine's folders that everyone may write to."""
     return tuple({*SHARED_FOLDERS, tempfile.gettempdir()})
 
 
 def remove_files_of(user: int) -> None:
-    """Remove what a user owns in the folders that everybody may write to."""
+    """Remove a user's files and folders from the folders that everyone may write to."""
     for folder in shared_folders():
         try:
             entries = [*Path(folder).iterdir()]
@@ -118,12 +121,12 @@ def remove_files_of(user: int) -> None:
                     remove_scratch(entry)
                 else:
                     entry.unlink()
-            except OSError:  # gone, or the mount of another user, which even root may not look at
+            except OSError:  # gone, or another user's mount, which even root may not access
                 continue
 
 
 def remove_shared_memory_of(user: int) -> None:
-    """Remove the System V shared memory, semaphores and message queues that a user made."""
+    """Remove a user's System V shared memory, semaphores, and message queues."""
     libc = ctypes.CDLL(None)
     removers = {
         "shmid": lambda number: libc.shmctl(number, _IPC_REMOVE, None),

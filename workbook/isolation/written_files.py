@@ -1,4 +1,4 @@
-"""What a program has written to the disk or to shared memory, in tiers in which nothing but this look bounds it."""
+"""Measure a program's files on the disk and in shared memory, in tiers that don't limit them otherwise."""
 
 import os
 import time
@@ -12,15 +12,18 @@ from workbook.recording.limits import ANSWER_LIMITS
 
 LOOK_EVERY_S = 1.0
 WORTH_A_LOOK = (ANSWER_LIMITS.stored or 0) // 4
-"""So many bytes more on one of the file systems are looked after at once: who wrote them?"""
+"""After this many more bytes have been written to one of the file systems, check right away who wrote them."""
 SHARED_MEMORY = "/dev/shm"
 ENOUGH = 50_000
-"""Files after which counting ends: it is more than any program may have."""
+"""The number of files at which counting stops; no program may have as many."""
 _BLOCK = 512
 
 
 class WrittenFiles:
-    """Counts what is in `own`, and what belongs to `user` in the folders `shared`. Not for two threads at once."""
+    """Counts the files in `own`, and the files of `user` in the folders `shared`.
+
+    Not thread-safe.
+    """
 
     def __init__(self, own: Path, shared: Sequence[str] = (), user: int | None = None) -> None:
         self._own = own
@@ -31,7 +34,7 @@ class WrittenFiles:
         self.files = self.bytes = 0
 
     def look(self) -> "WrittenFiles":
-        """Count again if a second has gone by, or if somebody has written a lot."""
+        """Count again if a second has passed or much was written. Return this object with the current counts."""
         now, in_use = time.monotonic(), self._space_in_use()
         if now >= self._look_at or in_use > self._in_use + WORTH_A_LOOK:
             self._look_at, self._in_use = now + LOOK_EVERY_S, in_use
@@ -44,9 +47,7 @@ class WrittenFiles:
             for status in islice(self._all_files(), ENOUGH):
                 self.files += 1
                 self.bytes += status.st_blocks * _BLOCK
-        except (
-            OSError
-        ):  # folders so deep, or so closed, that nobody can look into them: none of an honest program are
+        except OSError:  # folders too deep or too closed to read, which an honest program doesn't have
             self.files = ENOUGH
 
     def _space_in_use(self) -> int:
@@ -63,7 +64,7 @@ class WrittenFiles:
             for entry in _entries(folder):
                 try:
                     status = _status(entry)
-                except OSError:  # gone, or the mount of another user, which even root may not look at
+                except OSError:  # gone, or another user's mount, which even root may not access
                     continue
                 if entry.path != waiting[0] and status.st_uid == self._user:
                     yield status
@@ -78,10 +79,10 @@ class WrittenFiles:
 
 
 class SharedMemory:
-    """What a program keeps in shared memory, where it is the user that the judge and other programs are as well.
+    """A program's files in shared memory, if the judge and other programs run as the same user.
 
-    Nobody tells whose a file there is. It may be the program's if it is new, and as far as the program has written that
-    much at all.
+    The kernel doesn't report which process such a file belongs to. It may be the program's if it's new, and if the
+    program has written that much at all.
     """
 
     def __init__(self, folder: str = SHARED_MEMORY) -> None:
@@ -90,7 +91,10 @@ class SharedMemory:
         self._in_use = self._space_in_use()
 
     def bytes_of(self, pids: Sequence[int], elsewhere: int) -> int:
-        """What these processes may keep there, if worth a look. `elsewhere`: what they have written to the disk."""
+        """Return how many bytes these processes may have written there; zero if little was written at all.
+
+        `elsewhere`: their bytes on the disk.
+        """
         if self._space_in_use() < self._in_use + WORTH_A_LOOK:
             return 0
         new = sum(
@@ -123,7 +127,7 @@ def _status(entry: os.DirEntry[str]) -> os.stat_result:
 
 
 def _entries(folder: str) -> list[os.DirEntry[str]]:
-    """What a folder holds, as far as it counts. Raises OSError where it cannot be seen."""
+    """Return the first `ENOUGH` entries of a folder; none if it's gone. Raises OSError if it can't be read."""
     try:
         with os.scandir(folder) as entries:
             return [*islice(entries, ENOUGH)]

@@ -1,5 +1,5 @@
-"""Starting a program as its own process, keeping its log, limiting it, and ending all that it has started.
+"""Start programs as separate processes, keep their logs, limit them, and end all processes that they started.
 
-`process.NodeProcess` runs a `spec.ProgramSpec`; `tier` says what a tier of isolation must offer, `unconfined` is none.
-`fork_client.own_server` lets a process that starts many programs fork them.
+`process.NodeProcess` runs a `spec.ProgramSpec`. `tier` defines the interface of an isolation tier, and `unconfined`
+implements it without isolation. `fork_client.own_server` lets a process that starts many programs fork them.
 """

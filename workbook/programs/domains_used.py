@@ -1,4 +1,4 @@
-"""The ROS domains on which processes take part, told by their DDS ports."""
+"""Find the ROS domains that processes use, by their DDS ports."""
 
 from collections.abc import Collection, Sequence
 
@@ -7,15 +7,15 @@ from workbook.ros.domains import domain_of_port
 
 
 def domains_of(pids: Sequence[int]) -> tuple[int, ...]:
-    """ROS domains on which these processes have DDS ports open."""
+    """Return the ROS domains on which these processes have DDS ports open."""
     return domains_of_ports(udp_ports_of(pids))
 
 
 def domains_of_ports(ports: Collection[int]) -> tuple[int, ...]:
-    """ROS domains whose participants listen on these UDP ports.
+    """Return the ROS domains whose participants listen on these UDP ports.
 
-    A participant has two: discovery on an even offset from 10 on, messages on the next. A single port is
-    the one it sends from, which the system chose.
+    A participant has two ports: discovery uses an even offset of at least 10, and messages use the next port. A single
+    port is one that the participant sends from, which the system chose.
     """
     found = {
         domain_of_port(port)

@@ -1,4 +1,4 @@
-"""Finding the processes that a program has started by their mark, and ending them."""
+"""Find a program's processes by their mark, and end them."""
 
 import os
 import signal
@@ -9,20 +9,23 @@ from contextlib import suppress
 from workbook.inside import proc
 
 RUN_MARK = "WORKBOOK_RUN"
-"""The variable by which a program and what came of it are found among all processes."""
+"""The environment variable that identifies a program and its child processes."""
 _ROUNDS = 20
 _ROUND_S = 0.005
 
 
 def processes_marked(mark: str) -> list[int]:
-    """Processes (of this user) whose `WORKBOOK_RUN` begins with `mark`, whatever session they moved to."""
+    """Return this user's processes whose `WORKBOOK_RUN` begins with `mark`.
+
+    They may have moved to another session.
+    """
     needle = f"{RUN_MARK}={mark}".encode()
     others = (pid for pid in proc.pids() if pid != os.getpid())
     return [pid for pid in others if any(one.startswith(needle) for one in proc.environment(pid))]
 
 
 def kill_all(alive: Callable[[], Collection[int]]) -> None:
-    """Kill the processes that `alive` returns until it returns none, or a fixed number of rounds is over."""
+    """Kill the processes that `alive` returns, until it returns none or after a fixed number of rounds."""
     for _ in range(_ROUNDS):
         left = alive()
         if not left:
@@ -34,5 +37,5 @@ def kill_all(alive: Callable[[], Collection[int]]) -> None:
 
 
 def kill_programs_of(judge_pid: int) -> None:
-    """Kill what the dead process `judge_pid` had started as a `NodeProcess`, and all that came of it."""
+    """Kill the programs that the dead process `judge_pid` started as a `NodeProcess`, and all their descendants."""
     kill_all(lambda: processes_marked(f"{judge_pid}-"))

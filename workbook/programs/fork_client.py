@@ -1,4 +1,4 @@
-"""Starting programs by forking, instead of a fresh Python for each: the other side of `inside/fork_server.py`."""
+"""Start programs by forking instead of in a fresh Python: the client of `inside/fork_server.py`."""
 
 import atexit
 import contextlib
@@ -23,26 +23,27 @@ from workbook.programs.tier import Order
 from workbook.ros.environment import child_environment
 
 MARK_BYTES = 80
-"""Room for it in the environment of a server: a forked process has no other that others could read."""
+"""The size of the blank space for a mark in a server's environment. Others can't see a forked process's variables."""
 SERVER = "fork_server"
 START_S = 30.0
 ANSWER_S = 10.0
 LOOK_AGAIN_S = 1.0
-"""Whoever waits for an end looks again after so long (s), should the kernel not have woken it."""
+"""After this long (s), a thread that waits for an end polls again, in case the kernel hasn't woken it."""
 
 
 class NotForked(RuntimeError):
-    """The program was not started. The message says why; start it in a fresh Python."""
+    """The program wasn't started. The message says why. Start it in a fresh Python instead."""
 
 
 class ServerGone(RuntimeError):
-    """A program has lost the process that reports how it ends. The program itself is not to blame."""
+    """A program's supervisor, which would report how the program ends, is gone. The program isn't to blame."""
 
 
 class ForkedProgram:
-    """A program that the server has forked. See `workbook.programs.tier.Child`.
+    """A program that the server forked. See `workbook.programs.tier.Child`.
 
-    `is_lost`: its supervisor has ended without a report. Where the program cannot reach that, its server is gone.
+    `is_lost`: its supervisor ended without a report. If the program can't have ended the supervisor, the server is
+    gone.
     """
 
     def __init__(self, pid: int, status_fd: int, told: bytes) -> None:
@@ -54,13 +55,14 @@ class ForkedProgram:
         self._reading = threading.Lock()
 
     def poll(self) -> int | None:
-        """The exit code (negative: the signal that ended it), or None while it runs."""
+        """Return the exit code (negative: a signal's number); None while the program runs."""
         return self._read_status()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s.
+        """Wait for the program's end, and return its exit code. Raises subprocess.TimeoutExpired after `timeout` s.
 
-        The supervisor ends with its last report, so whoever waits is woken, also when another thread has read it.
+        The supervisor ends after its last report, so all waiting threads wake up, even if another thread reads the
+        report.
         """
         deadline = None if timeout is None else time.monotonic() + timeout
         while (code := self._read_status()) is None:
@@ -71,44 +73,46 @@ class ForkedProgram:
         return code
 
     def _read_status(self) -> int | None:
-        """Take in what its supervisor has reported. More than one thread may ask."""
+        """Read the supervisor's reports, and return the exit code, or None while the program runs. Thread-safe."""
         with self._reading:
             while self.returncode is None and select.select([self._status_fd], [], [], 0.0)[0]:
                 chunk = os.read(self._status_fd, 100)
                 self._told += chunk
                 if b"\n" in self._told and self._told.strip().isdigit():
                     self.returncode = os.waitstatus_to_exitcode(int(self._told))
-                elif not chunk:  # its supervisor is gone, and the program with it
+                elif not chunk:  # the supervisor is gone, and the program with it
                     self.is_lost = True
                     self.returncode = -signal.SIGKILL
             return self.returncode
 
     def close(self) -> None:
-        """Forget it; call it when the program has ended."""
+        """Close the status descriptor. Call this after the program has ended."""
         with self._reading:
             if self.returncode is not None and self._status_fd >= 0:
                 os.close(self._status_fd)
                 self._status_fd = -1
 
     def interrupt(self) -> None:
-        """Send it SIGINT."""
+        """Send SIGINT to the program."""
         if self.poll() is None:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(self.pid, signal.SIGINT)
 
     def tree(self) -> list[int]:
-        """It, and all that it has started."""
+        """Return the program's process and its descendants. Once the program has ended, its own process is left out."""
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Return at once: nothing is around this program."""
+        """Return right away, because this program has no sandbox."""
 
 
 def request_fork(channel: socket.socket, request: Mapping[str, object], descriptors: Sequence[int]) -> int:
-    """Ask a server to fork a program. Returns where it reports the status. Raises OSError when the server is gone.
+    """Ask a server to fork a program.
 
-    `descriptors`: what is for the program.
+    Return the descriptor at which the server reports the status. Raises OSError if the server is gone.
+
+    `descriptors`: the program's own.
     """
     status_fd, theirs = os.pipe()
     try:
@@ -122,9 +126,11 @@ def request_fork(channel: socket.socket, request: Mapping[str, object], descript
 
 
 def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
-    """The program that a server was asked to fork, by its first report. Raises NotForked, after `timeout_s` at last.
+    """Wait for the first report on a requested program, and return the program.
 
-    `status_fd`: where it reports, which is closed when it has forked none.
+    Raises NotForked if the program wasn't forked, or there's no report after `timeout_s` s.
+
+    `status_fd`: the descriptor for reports. It's closed if the program wasn't forked.
     """
     told = b""
     while b"\n" not in told:
@@ -140,10 +146,10 @@ def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
 
 
 class ForkServer:
-    """The process from which programs are forked. It starts with the first of them and ends with its owner.
+    """The server process that forks programs. It starts with the first program, and ends with its owner.
 
-    `zygote`: a server that runs already, outside of this slot's sandbox, to have it forked from where that is possible.
-    `slot`: the first process of that sandbox.
+    `zygote`: a running server outside of this slot's sandbox, which forks this server if possible. `slot`: the
+    sandbox's first process.
     """
 
     def __init__(self, zygote: "Zygote | None" = None, slot: int = 0) -> None:
@@ -156,19 +162,20 @@ class ForkServer:
 
     @property
     def pid(self) -> int | None:
-        """Its process number; None while there is none, and for one that was forked from a zygote."""
+        """The server's process id; None if it isn't running or was forked from a zygote."""
         return None if self._process is None else self._process.pid
 
     def start(self, environ: Mapping[str, str]) -> None:
-        """Start the server, if it does not run, without waiting for it.
+        """Start the server if it isn't running, without waiting for it.
 
-        `environ` must hold nothing that programs must not see. One from a zygote has the environment of that.
+        `environ` must not contain anything that programs may not see. A server forked from a zygote has the zygote's
+        environment.
         """
         with self._turn:
             if self._channel is not None and not _has_hung_up(self._channel):
                 return
             self.close()
-            zygote, self._zygote = self._zygote, None  # once: if it breaks, the next one is started afresh
+            zygote, self._zygote = self._zygote, None  # only once: if it breaks, we start the next one
             self._channel = None if zygote is None else zygote.fork_into(self._slot)
             if self._channel is None:
                 self._process, self._channel = start_helper(SERVER, environ)
@@ -180,9 +187,9 @@ class ForkServer:
         environ: Mapping[str, str],
         folder: str,
     ) -> ForkedProgram:
-        """Fork a program into the name spaces of a process, or into no other ones (0). Raises NotForked.
+        """Fork a program into a process's namespaces, or without separate ones (0). Raises NotForked.
 
-        `environ`: in place of that of the order.
+        `environ` replaces the order's environment.
         """
         request = {
             "namespaces_of": namespaces_of,
@@ -210,7 +217,7 @@ class ForkServer:
         return started_program(status_fd, ANSWER_S)
 
     def wait_until_ready(self) -> None:
-        """Wait until it can fork programs. Raises OSError when it was never started, or does not get that far."""
+        """Wait until the server can fork programs. Raises OSError if it was never started, or fails to start."""
         with self._turn:
             if self._channel is None:
                 raise OSError("it was never started")
@@ -218,7 +225,7 @@ class ForkServer:
                 self._channel.settimeout(START_S)
                 said = self._channel.recv(100)
                 if said != b"ready":
-                    raise OSError(said.decode(errors="replace") or "it ended at once")
+                    raise OSError(said.decode(errors="replace") or "it ended right away")
                 self._ready = True
 
     def close(self) -> None:
@@ -237,14 +244,14 @@ class ForkServer:
 
 @dataclass(frozen=True)
 class Zygote:
-    """A fork server from which others are forked into the sandboxes of slots."""
+    """A fork server that forks other fork servers into slots' sandboxes."""
 
     channel: socket.socket
 
     def fork_into(self, slot: int) -> socket.socket | None:
-        """Have a server forked into a sandbox. Returns our end of its channel; None if that fails.
+        """Let the zygote fork a server into a sandbox. Return our end of its channel; None if that fails.
 
-        `slot`: the first process of the sandbox.
+        `slot`: the sandbox's first process.
         """
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -257,16 +264,16 @@ class Zygote:
 
 
 def _has_hung_up(channel: socket.socket) -> bool:
-    """Whether the other end of a channel is closed, because its process has ended."""
+    """Return whether the other end of a channel is closed because its process has ended."""
     waiting = select.poll()
     waiting.register(channel, 0)
     return any(event & (select.POLLHUP | select.POLLERR) for _, event in waiting.poll(0))
 
 
 class OwnServer:
-    """The fork server of this process, for programs that no tier confines. There is none until `keep` is called.
+    """This process's fork server, for programs without isolation. It isn't used until `keep` is called.
 
-    Most processes start one or two programs, for which a server is not worth its start.
+    Most processes start only one or two programs, so starting a server isn't worthwhile.
     """
 
     def __init__(self) -> None:
@@ -280,11 +287,11 @@ class OwnServer:
         self._wanted = True
 
     def ready(self) -> ForkServer | None:
-        """The server, once it can fork a program; None when it is not wanted or cannot be had."""
+        """Return the server as soon as it can fork programs; None if `keep` wasn't called or it doesn't start."""
         if not self._wanted:
             return None
         with self._turn:
-            if self._server is None or self._owner != os.getpid():  # a fork of its owner has none
+            if self._server is None or self._owner != os.getpid():  # a fork of the owner needs its own server
                 self._server, self._owner = ForkServer(), os.getpid()
                 atexit.register(self.close)
             environ = child_environment(0, log_folder=Path(os.devnull))
@@ -297,11 +304,11 @@ class OwnServer:
 
     @property
     def pid(self) -> int | None:
-        """Its process number; None while there is none."""
+        """The server's process id; None if there is no server."""
         return None if self._server is None else self._server.pid
 
     def close(self) -> None:
-        """End the server. The next program starts another one."""
+        """End the server. The next program starts a new one."""
         if self._server is not None and self._owner == os.getpid():
             self._server.close()
 

@@ -1,4 +1,4 @@
-"""Processes of our own that serve this one over a pair of sockets, such as those that fork programs or run mypy."""
+"""Start helper processes that serve this process over a socket pair: they fork programs or run mypy."""
 
 import socket
 import subprocess
@@ -12,10 +12,10 @@ from workbook.inside.orphans import exempt
 def start_helper(
     name: str, environ: Mapping[str, str], *, quiet: bool = False
 ) -> tuple[subprocess.Popen[bytes], socket.socket]:
-    """Start a file of `workbook.inside` with its end of a socket pair as argument. Returns the process and our end.
+    """Start a file of `workbook.inside`, and pass it one end of a socket pair. Return its process and our end.
 
-    Ctrl-C does not reach the helper, because it is for its owner. No sweep of left-over processes kills it until
-    `orphans.forget` gets its number. `quiet`: its standard error is discarded.
+    Ctrl-C doesn't reach the helper, because it's meant for the helper's owner. No sweep kills the helper until its
+    process id is passed to `orphans.forget`. `quiet`: discard its standard error.
     """
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     with theirs:

@@ -1,4 +1,4 @@
-"""What a program prints, kept within bounds."""
+"""Keep a program's output, up to a limit."""
 
 import os
 import re
@@ -14,11 +14,11 @@ _OWN_FRAME = re.compile(
     r"(?: {4}[^\n]*\n)*",
     re.MULTILINE,
 )
-"""A frame of ours in any list of calls that a program prints: print_stack(), faulthandler, logging."""
+"""A frame from our code in any stack trace that a program prints: print_stack(), faulthandler, logging."""
 
 
 class ProgramLog:
-    """Reads what a program prints; keeps the first and the last part. Calls `on_flood` once, after `limit` bytes."""
+    """Reads a program's output, and keeps its first and its last part. Calls `on_flood` once, after `limit` bytes."""
 
     def __init__(self, stream_fd: int, limit: int, on_flood: Callable[[], None]) -> None:
         self._fd = stream_fd
@@ -28,7 +28,7 @@ class ProgramLog:
         self._tail = bytearray()
         self._seen = 0
         self.flooded = False
-        self.printed_at: float | None = None  # monotonic time of the latest text
+        self.printed_at: float | None = None  # time.monotonic() of the latest output
         self._thread = threading.Thread(target=self._read, name="program log", daemon=True)
         self._thread.start()
 
@@ -53,16 +53,16 @@ class ProgramLog:
             os.close(self._fd)
 
     def finish(self, timeout_s: float) -> None:
-        """Wait until everything is read, `timeout_s` at most."""
+        """Wait until all output has been read, but at most `timeout_s` s."""
         self._thread.join(timeout_s)
 
     @property
     def truncated(self) -> bool:
-        """Whether a part in the middle is not kept."""
+        """Whether a part in the middle was left out."""
         return self._seen > LOG_KEPT_BYTES
 
     def text(self) -> str:
-        """What is kept up to now."""
+        """Return the kept parts of the log, without our own frames."""
         head, tail = bytes(self._head), bytes(self._tail)
         if self._seen <= len(head) + len(tail):
             return _without_own_frames(plain_text(head + tail))

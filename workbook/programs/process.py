@@ -1,4 +1,4 @@
-"""A program as its own process: its start, its limits, its end, and the record of all three."""
+"""Run a program in its own process: start it, limit it, end it, and record what happened."""
 
 import os
 import signal
@@ -26,7 +26,7 @@ SANDBOX_END_S = 2.0
 
 
 def _pipe_with(data: bytes) -> int:
-    """The reading end of a pipe that holds `data`, and nobody writes to."""
+    """Return the read end of a pipe that contains `data` and has no writer."""
     read_fd, write_fd = os.pipe()
     os.write(write_fd, data)
     os.close(write_fd)
@@ -34,11 +34,11 @@ def _pipe_with(data: bytes) -> int:
 
 
 class NodeProcess:
-    """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
+    """A program that runs in its own process and session. `stop` ends it and all its descendants.
 
-    It runs in a `tier` of isolation, or in none. `write_profile` writes a DDS profile for it into a folder, in place of
-    the one of all our processes. Use as a context manager, or call `stop`. Raises FileNotFoundError when there is no
-    such program, and OSError when it cannot be started.
+    It runs in an isolation `tier`, or in none. `write_profile` writes a DDS profile for it into a folder, to replace
+    the profile that all our processes use. Use as a context manager, or call `stop`. Raises FileNotFoundError if the
+    program doesn't exist, and OSError if it can't be started.
     """
 
     def __init__(
@@ -84,7 +84,7 @@ class NodeProcess:
     def _order(
         self, output_fd: int, input_fd: int | None, write_profile: Callable[[Path], Path] | None
     ) -> Order:
-        """Bring the files of the program, and say how it is to be started."""
+        """Bring the program's files into the confinement, and return the order for starting it."""
         spec, confinement = self.spec, self._confinement
         arguments = confinement.host_options(spec.limits)
         if spec.in_panel:
@@ -108,7 +108,7 @@ class NodeProcess:
         self._kill_tree()
 
     def _guard(self) -> None:
-        """End a program that takes too much. The kernel's own limits hold for single processes, and not for root's."""
+        """Kill a program that exceeds its limits. The kernel limits only single processes, and not root's."""
         while self.is_running():
             pids = self._child.tree()
             hit = limit_exceeded(self.spec.limits, pids, self._confinement)
@@ -120,16 +120,16 @@ class NodeProcess:
 
     @property
     def confinement(self) -> Confinement:
-        """The part of its tier that runs this one program."""
+        """The confinement in which this program runs."""
         return self._confinement
 
     @property
     def pid(self) -> int:
-        """The process that stands for it: its tree holds the program."""
+        """The program's local process, whose process tree contains the program."""
         return self._child.pid
 
     def is_running(self) -> bool:
-        """Whether the program has not ended yet."""
+        """Return whether the program is still running."""
         if self._child.poll() is None:
             return True
         if self._ended_at is None:
@@ -137,7 +137,7 @@ class NodeProcess:
         return False
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait for the program to end by itself. Returns whether it has."""
+        """Wait for the program to end by itself. Return whether it has ended."""
         try:
             self._child.wait(timeout_s)
         except subprocess.TimeoutExpired:
@@ -145,23 +145,23 @@ class NodeProcess:
         return not self.is_running()
 
     def interrupt(self) -> None:
-        """Send SIGINT, what Ctrl-C sends."""
+        """Send SIGINT, like Ctrl-C."""
         if self.is_running():
             self._child.interrupt()
 
     def domains_used(self) -> tuple[int, ...]:
-        """ROS domains on which the program (or a child of it) has sockets at this moment."""
+        """Update and return the ROS domains on which the program or its descendants have had sockets."""
         if self.is_running():
             used = domains_of(self._child.tree())
             self._domains_used = tuple(sorted({*self._domains_used, *used}))
         return self._domains_used
 
     def processor_seconds(self) -> float | None:
-        """Processor time (s) of the program and all that it has started; None when it has ended."""
+        """Return the CPU time (s) of the program and its descendants; None if the program has ended."""
         return proc.processor_seconds(self._child.tree()) if self.is_running() else None
 
     def note_processor_time(self) -> None:
-        """Note for the record how much processor time the program has used up to now."""
+        """Record how much CPU time the program has used so far."""
         used = self.processor_seconds()
         if used is not None:
             self._processor.append((round(time.monotonic() - self.started_at, 4), round(used, 3)))
@@ -170,10 +170,10 @@ class NodeProcess:
         kill_all(lambda: {*self._child.tree(), *processes_marked(self._mark)})
 
     def stop(self, patience_s: float = 2.0, meanwhile: Callable[[], object] = lambda: None) -> None:
-        """End the program: SIGINT, wait up to `patience_s`, then SIGKILL to everything it started.
+        """End the program: send SIGINT, wait up to `patience_s` s, and then send SIGKILL to everything it started.
 
-        `meanwhile` is called again and again while it waits. SIGTERM is not used: this rclpy loses some of them
-        while it spins. Raises StillThere when a tier cannot end what the program left behind.
+        `meanwhile` is called repeatedly during the wait. SIGTERM isn't used, because this rclpy loses some SIGTERMs
+        while it spins. Raises StillThere if a tier can't end the processes that the program left behind.
         """
         if self.is_running():
             self._ended_by_judge = True
@@ -185,7 +185,8 @@ class NodeProcess:
                     self.killed = True
                     break
                 meanwhile()
-        if not self.killed:  # what is around it goes with the program, unless what should end it was killed
+        # a sandbox ends when its program does, unless the process that would end the sandbox was killed
+        if not self.killed:
             try:
                 self._child.wait_for_sandbox(SANDBOX_END_S)
             except subprocess.TimeoutExpired:
@@ -203,7 +204,7 @@ class NodeProcess:
         self._remove_files()
 
     def record(self) -> ProcessRecord:
-        """What the process did so far."""
+        """Return the record of the process so far."""
         code = None if self.is_running() else self._child.poll()
         ended_at = None if self._ended_at is None else self._ended_at - self.started_at
         limits = [*self._limits_hit]

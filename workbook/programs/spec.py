@@ -1,4 +1,4 @@
-"""What is to be run: a program, what it is told, and what it may use."""
+"""Specify a run: the program, its arguments, and its limits."""
 
 import os
 from collections.abc import Mapping, Sequence
@@ -12,11 +12,11 @@ KEY_BYTES = 32
 
 @dataclass(frozen=True)
 class ProgramSpec:
-    """A Python file that is to run as `__main__`, with `arguments` and ROS `parameters` for all of its nodes.
+    """A Python file to run as `__main__`, with `arguments`, and ROS `parameters` for all of its nodes.
 
-    With a `driver`, that one runs as `__main__` and can import the program as the module `answer`. It signs what it
-    reports with `driver_key`, which the program does not get; with an empty key it does not sign. `check_fields`: ROS
-    checks the types of message fields. `in_panel`: the panel beside the notebook shows what it publishes.
+    If there's a `driver`, it runs as `__main__` and can import the program as the module `answer`. It signs its reports
+    with `driver_key`, which the program doesn't get; if the key is empty, it doesn't sign. `check_fields`: ROS checks
+    the types of message fields. `in_panel`: the panel next to the notebook shows the program's messages.
     """
 
     file: Path
@@ -30,12 +30,12 @@ class ProgramSpec:
 
     @property
     def command_line(self) -> list[str]:
-        """What the program finds in `sys.argv` behind its name."""
+        """The program's command-line arguments: `sys.argv` without the program's name."""
         return [*self.arguments, *ros_arguments(self.parameters)]
 
 
 def ros_arguments(parameters: Mapping[str, object]) -> list[str]:
-    """Command-line arguments that set ROS parameters for every node of a program; none for no parameters."""
+    """Return command-line arguments that set ROS parameters for all of a program's nodes; empty for no parameters."""
     if not parameters:
         return []
     arguments = ["--ros-args"]

@@ -1,4 +1,4 @@
-"""What a tier of isolation offers to `NodeProcess`, which knows none of them by name (see `workbook.isolation`)."""
+"""Define the interface of an isolation tier. `NodeProcess` uses it without naming any tier (`workbook.isolation`)."""
 
 import importlib.util
 import os
@@ -11,7 +11,7 @@ from typing import Protocol
 from workbook.recording.limits import ADDRESSES_PER_THREAD, ENDED_PROCESSES, THREADS_PER_CORE, Limits
 
 LARGE_PACKAGES = ("torch", "nvidia")
-"""PyTorch, and the packages of CUDA that it loads even where there is no graphics processor."""
+"""PyTorch, and the CUDA packages that it loads even if there's no graphics processor."""
 
 
 class Child(Protocol):
@@ -19,33 +19,36 @@ class Child(Protocol):
 
     @property
     def pid(self) -> int:
-        """The process that stands for it here: its tree holds the program."""
+        """The program's local process, whose process tree contains the program."""
 
     def poll(self) -> int | None:
-        """The program's exit code (negative: the signal that ended it), or None while it runs."""
+        """Return the program's exit code (negative: a signal's number); None while it runs."""
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for its end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the program's end, and return its exit code. Raises subprocess.TimeoutExpired after `timeout` s."""
 
     def interrupt(self) -> None:
-        """Send SIGINT to the program, what Ctrl-C sends."""
+        """Send SIGINT to the program, like Ctrl-C."""
 
     def tree(self) -> list[int]:
-        """All that it has started, itself, and what the tier has put around it, as far as nobody has reaped them."""
+        """Return the program, its descendants, and the tier's processes around it.
+
+        Processes that have been reaped are left out.
+        """
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Wait until what the tier has put around it is gone. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait until the tier's sandbox around it is gone. Raises subprocess.TimeoutExpired after `timeout` s."""
 
     def close(self) -> None:
-        """Forget it; call it when all of it has ended."""
+        """Release resources. Call this after the program and its sandbox have ended."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """A program to start: arguments for the host, environment and limits, and the descriptor that it prints to.
+    """A program to start: its arguments for the host, environment, limits, and output descriptor.
 
-    `cgroup_join_file`: the file by which it joins a memory cgroup, before a line of it is read; None where there is no
-    such group. `input_fd`: the descriptor that it reads from; None for a program that gets nothing to read.
+    `cgroup_join_file`: the file with which it joins a memory cgroup before any of its code is read; None if there's no
+    group. `input_fd`: its input descriptor; None for a program without input.
     """
 
     arguments: Sequence[str]
@@ -58,69 +61,78 @@ class Order:
 
 @dataclass(frozen=True)
 class Started:
-    """A program, and the moment (of `time.monotonic`, s) from which its life counts."""
+    """A program, and its start time (`time.monotonic`, s)."""
 
     child: Child
     at: float
 
 
 class Confinement(Protocol):
-    """What a tier does for one program, from its files to whatever it leaves behind."""
+    """A tier's handling of one program, from its files to the processes and files that it leaves behind."""
 
     def bring(self, file: Path, name: str) -> str:
-        """Let the program read a file. Returns the path at which it finds it."""
+        """Let the program read a file. Return the path under which the program finds the file."""
 
     def host_options(self, limits: Limits) -> list[str]:
-        """What the host is to do in the program's process before it runs it."""
+        """Return options for the host, to apply in the program's process before it runs the program."""
 
     def start(self, order: Order) -> Started:
-        """Start the program in its tier, forked where that is possible. Raises OSError."""
+        """Start the program in its tier, forked if possible. Raises OSError."""
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """How many files the fullest folder of the program holds; zero where the tier has no limit of them."""
+        """Return the number of files in the program's fullest folder; zero if the tier doesn't limit files."""
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """What the program has written to files that are not in a file system of its own; else zero."""
+        """Return how many bytes the program has written to shared file systems; zero if it has a private one."""
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """How many sockets the program holds; where its network is its own and the judge's, all that are in it."""
+        """Return how many sockets the program has open.
+
+        If the program's network is shared only with the judge, count all sockets in it.
+        """
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """What waits unread in sockets of the program's own network, from `worth_counting` bytes on; else zero."""
+        """Return how many unread bytes are in sockets of the program's separate network.
+
+        Return zero if there are fewer than `worth_counting`, or if it uses the machine's network.
+        """
 
     def exceeded(self) -> str | None:
-        """The limit that the program has exceeded where the kernel counts for it; None if none, or nobody counts."""
+        """Return the limit that the program has exceeded according to the kernel.
+
+        Return None if there's none, or if the kernel doesn't count.
+        """
 
     def unfiltered(self) -> str:
-        """Why the tier cannot filter the program's system calls on this machine, as a clause; else empty."""
+        """Return why the tier can't filter the program's system calls here, as a clause; empty if it can."""
 
     def sweep(self) -> bool:
-        """End whatever the program has left running, when it has ended. Returns whether there was anything.
+        """End all processes that the ended program left running. Return whether there were any.
 
-        Raises StillThere when that is not possible.
+        Raises StillThere if that isn't possible.
         """
 
     def remove(self) -> None:
-        """Remove what `bring` has made, and let go of all else."""
+        """Remove the files that `bring` created, and release all other resources."""
 
 
 class Tier(Protocol):
-    """A tier of isolation, in which programs are started one after another."""
+    """An isolation tier, which confines one program after another."""
 
     def confine(self, scratch: Path) -> Confinement:
-        """A confinement for one program whose folder to work in is `scratch`."""
+        """Return a confinement for one program, whose working folder is `scratch`."""
 
 
 def threads_of_libraries() -> int:
-    """How many threads the libraries of one program may start on this machine."""
+    """Return how many threads a program's libraries may start on this machine."""
     return THREADS_PER_CORE * (os.cpu_count() or 1)
 
 
 @cache
 def addresses_of_libraries() -> int:
-    """Address space that the largest libraries installed here take when they are loaded: the size of their files.
+    """Return the address space (bytes) that the largest installed libraries use: the size of their files.
 
-    It is hardly any memory: the kernel maps the files. PyTorch as it comes from PyPI maps 2.9 GB of them.
+    This is hardly any memory, because the kernel maps the files. PyTorch from PyPI maps 2.9 GB.
     """
     found = importlib.util.find_spec("torch")
     if found is None or not found.submodule_search_locations:
@@ -131,10 +143,10 @@ def addresses_of_libraries() -> int:
 
 
 def limit_options(limits: Limits, names: Sequence[str]) -> list[str]:
-    """Options for the host: those of the limits with these names that are set.
+    """Return the host's options for the named limits, except for limits that aren't set.
 
-    The kernel limits addresses and threads where the judge counts memory and processes: they get more. It also counts
-    processes that have ended, which the judge does not.
+    The kernel limits addresses and threads, while the judge counts memory and processes. So the kernel's limits are
+    higher. The kernel also counts processes that have ended, which the judge doesn't.
     """
     threads = threads_of_libraries()
     more = {

@@ -1,4 +1,4 @@
-"""Programs of our own, and those of the reader: limits, and no isolation."""
+"""Run our own and the readers' programs with limits, but without isolation."""
 
 import os
 import signal
@@ -17,23 +17,24 @@ from workbook.programs.tier import Confinement, Order, Started, limit_options
 from workbook.recording.limits import Limits
 
 KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core", "signals")
-"""Not that of processes: the kernel would count everything that the same user runs, and nothing for root."""
+"""All limits except the number of processes, because the kernel counts all of the user's processes, but none of root's.
+"""
 
 _JOINED = ("/bin/sh", "-c", 'echo 0 >"$0" && exec "$@"')
 
 
 def host_command(*options: str) -> list[str]:
-    """The command that runs a program: the host in a fresh Python."""
+    """Return the command that runs a program: the host in a fresh Python."""
     return [sys.executable, "-P", str(RUN), "host", *options]
 
 
 def joining(joins: str | None, command: Sequence[str]) -> list[str]:
-    """`command` in the memory cgroup that one joins by the file `joins`; as it is for None."""
+    """Return a command that joins a memory cgroup by the file `joins` and then runs `command`. None: just `command`."""
     return [*command] if joins is None else [*_JOINED, joins, *command]
 
 
 class FreshProgram(subprocess.Popen[bytes]):
-    """A program in a Python of its own, which leads a session and works in `folder`."""
+    """A program in a fresh Python process, which leads a session. Its working folder is `folder`."""
 
     def __init__(
         self,
@@ -60,36 +61,36 @@ class FreshProgram(subprocess.Popen[bytes]):
         self.send_signal(signal.SIGINT)
 
     def tree(self) -> list[int]:
-        """Process numbers of the program and of all that it has started; without its own once it has ended."""
+        """Return the process ids of the program and its descendants; without its own once it has ended."""
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Return at once: no tier has put anything around this program."""
+        """Return right away, because this program has no sandbox."""
 
     def close(self) -> None:
-        """Do nothing: a program in a fresh Python holds no resources once it has ended."""
+        """Do nothing, because a program in a fresh Python holds no resources after it has ended."""
 
 
 @dataclass(frozen=True)
 class UnconfinedProgram:
-    """See `workbook.programs.tier.Confinement`. The program reads its files where they are."""
+    """See `workbook.programs.tier.Confinement`. The program reads its files at their original paths."""
 
     scratch: Path
 
     def bring(self, file: Path, name: str) -> str:
-        """The absolute path of the file, which the program reads in its place."""
+        """Return the file's absolute path, where the program reads it."""
         return str(file.resolve())
 
     def host_options(self, limits: Limits) -> list[str]:
-        """The limits that the kernel enforces for each process."""
+        """Return options for the limits that the kernel enforces per process."""
         return limit_options(limits, KERNEL_LIMITS)
 
     def start(self, order: Order) -> Started:
-        """Start the program: forked where this process has a fork server, else in a fresh Python. Raises OSError."""
+        """Start the program, forked if this process has a fork server, else in a fresh Python. Raises OSError."""
         server = own_server.ready()
         if server is not None:
-            began = time.monotonic()  # not before: to wait for the server is no part of its life
+            began = time.monotonic()  # not before: waiting for the server isn't part of its run
             with suppress(NotForked):
                 folder = str(self.scratch)
                 return Started(server.spawn(0, order, order.environ, folder), began)
@@ -103,40 +104,40 @@ class UnconfinedProgram:
         )
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Zero: files are not limited."""
+        """Return zero, because files aren't limited."""
         return 0
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Zero: files are not limited."""
+        """Return zero, because files aren't limited."""
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """How many sockets the program and all that it has started have open."""
+        """Return how many sockets these processes have open."""
         return proc.sockets_open(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Zero: the network is that of the machine."""
+        """Return zero, because the program uses the machine's network."""
         return 0
 
     def exceeded(self) -> str | None:
-        """None: the tier itself has no memory cgroup."""
+        """Return None, because this confinement has no memory cgroup."""
         return None
 
     def unfiltered(self) -> str:
-        """Nothing to report: no system calls are to be filtered."""
+        """Return an empty string, because no system calls need to be filtered."""
         return ""
 
     def sweep(self) -> bool:
-        """False: nothing is looked for beyond the program's own process tree."""
+        """Return False, because only the program's own process tree is ended."""
         return False
 
     def remove(self) -> None:
-        """Do nothing: `bring` made no files."""
+        """Do nothing, because `bring` created no files."""
 
 
 class Unconfined:
     """See `workbook.programs.tier.Tier`."""
 
     def confine(self, scratch: Path) -> Confinement:
-        """A confinement that sets limits and nothing else."""
+        """Return a confinement that only sets limits."""
         return UnconfinedProgram(scratch)

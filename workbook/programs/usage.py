@@ -1,4 +1,4 @@
-"""What a program takes from the machine, as far as the limits of its single processes cannot hold it back."""
+"""Measure a program's use of the machine against the limits that the kernel can't enforce per process."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -22,7 +22,7 @@ _SAID = {
 
 
 def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement) -> str | None:
-    """The limit that these processes of one program exceed together; None if they keep to all."""
+    """Return the limit that a program's processes exceed together; None if they exceed none."""
     hit = confinement.exceeded()
     if hit is not None:
         return hit
@@ -48,12 +48,12 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
 
 
 def too_many(pids: Sequence[int], most: int) -> bool:
-    """Whether more than `most` of these processes run, or far more have ended and are left."""
+    """Return whether more than `most` of these processes are running, or far more have ended without being reaped."""
     return len(pids) > most and (len(pids) > most + ENDED_PROCESSES or len(running(pids)) > most)
 
 
 def running(pids: Iterable[int]) -> list[int]:
-    """Those of some processes that have not ended. One that has is there until its parent asks how."""
+    """Return the processes that haven't ended. An ended process stays listed until its parent reads its status."""
     found = []
     for pid in pids:
         with suppress(OSError):
@@ -63,10 +63,10 @@ def running(pids: Iterable[int]) -> list[int]:
 
 
 def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
-    """How long (s) these processes may go on until they are looked at again.
+    """Return how long (s) to wait until the next poll.
 
-    To look costs as much processor time as a small node needs. What is far from its limits cannot reach them sooner: a
-    processor fills some 2 GB of new memory in a second.
+    A poll costs as much CPU time as a small node. A program far from its limits can't reach them sooner, because a
+    processor fills only some 2 GB of new memory per second.
     """
     processes, memory = limits.processes or 0, limits.memory or 0
     is_far = 2 * len(pids) <= processes and 2 * memory_bytes(pids, memory) <= memory
@@ -74,7 +74,7 @@ def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
 
 
 def limits_in_log(log: str) -> tuple[str, ...]:
-    """Limits that the last lines of a program's log say were hit, by the error messages of Python and C.
+    """Return the limits that a program hit, judging by error messages from Python and C in its log's last lines.
 
     A program can print such a line itself, but gains nothing by it.
     """

@@ -1,4 +1,4 @@
-"""What was seen of a program, what to watch for, and what is said meanwhile, as data: the standard library only.
+"""Define recordings, plans, and scripts as data, with the standard library only.
 
-Every layer above may import its modules: `recording`, `plan`, `script` and `machine`.
+Every layer above may import its modules: `recording`, `plan`, `script`, and `machine`.
 """

@@ -1,12 +1,12 @@
-"""Frozen dataclasses to JSON data and back, by their type hints: for recordings, judgements and results.
+"""Convert frozen dataclasses, such as recordings, judgments, and results, to JSON data and back by their type hints.
 
-Hints that it knows: `str`, `int`, `float`, `bool`, `None`, `Any`, `Literal`, `X | None`, `tuple`, `Mapping[str, X]`,
-and dataclasses. A field keeps its name, unless its metadata say otherwise (`stored_as`, `NOT_STORED`,
-`STORED_IF_SET`). One with a default may be missing from what an older version wrote, unless it is `ALWAYS_STORED`. A
-field that the class does not know is refused; it is kept where the class has a mapping for it (`UNKNOWN_FIELDS`), or
-dropped where it says `ignores_unknown_fields: ClassVar[bool] = True`.
+The supported hints are `str`, `int`, `float`, `bool`, `None`, `Any`, `Literal`, `X | None`, `tuple`, `Mapping[str, X]`,
+and dataclasses. A field is stored under its name, unless its metadata differ (`stored_as`, `NOT_STORED`,
+`STORED_IF_SET`). A field with a default may be missing from an older version's data, unless it's `ALWAYS_STORED`.
+Unknown fields raise Malformed. A class can instead keep them in a mapping (`UNKNOWN_FIELDS`), or drop them with
+`ignores_unknown_fields: ClassVar[bool] = True`.
 
-In fields that are declared as `Any`, and only there, numbers may be infinite or NaN: `{"float": "nan"}`.
+Only fields declared as `Any` may contain infinite numbers or NaN, which are stored as `{"float": "nan"}`.
 """
 
 from workbook.recording.decoding import decode

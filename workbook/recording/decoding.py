@@ -1,4 +1,4 @@
-"""JSON data to frozen dataclasses, by their type hints: see `codec`."""
+"""Convert JSON data to frozen dataclasses by their type hints: see `codec`."""
 
 import math
 import types
@@ -19,12 +19,12 @@ from workbook.recording.stored_fields import (
 
 Decoded = TypeVar("Decoded")
 FORMER_WORDS = {"bench": "judge"}
-"""Words of a choice that recordings of earlier versions contain, with those that have replaced them."""
+"""Choices in recordings of earlier versions, with the words that replaced them."""
 _NON_FINITE = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
 
 
 def decode(kind: type[Decoded], data: object) -> Decoded:
-    """The reverse of `encode`. Raises Malformed, which is a ValueError."""
+    """Reverse `encode`. Raise Malformed, which is a ValueError, if the data doesn't fit."""
     hint: Any = kind
     return cast(Decoded, _decoder(hint)(data))
 
@@ -84,7 +84,7 @@ def _decode_str(data: Any) -> str:
         try:
             data.encode()
         except UnicodeEncodeError:
-            # Half a character (a lone surrogate) can come through JSON, and no file can hold it.
+            # JSON can contain half a character (a lone surrogate), but it can't be written to a file.
             raise Malformed(f"{quoted(data)} holds half a character") from None
     return data
 

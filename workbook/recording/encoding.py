@@ -1,4 +1,4 @@
-"""Frozen dataclasses to JSON data, by their type hints: see `codec`."""
+"""Convert frozen dataclasses to JSON data by their type hints: see `codec`."""
 
 import math
 import types
@@ -19,7 +19,7 @@ from workbook.recording.stored_fields import (
 
 
 def encode(value: Any) -> Any:
-    """A dataclass as data for `json`. Raises Malformed for what JSON cannot hold."""
+    """Convert a dataclass to data for `json`. Raise Malformed if JSON can't represent it."""
     kind: Any = type(value)
     return _encoder(kind)(value)
 
@@ -69,7 +69,7 @@ def _encode_any(value: Any) -> Any:
 
 
 def _encode_rare(value: Any) -> Any:
-    """What is derived from a plain type, and what is none."""
+    """Encode subclasses of plain types, and all other values."""
     if isinstance(value, float):
         return value if math.isfinite(value) else {"float": str(value)}
     if isinstance(value, (str, int)):

@@ -1,25 +1,28 @@
-"""What one answer may use of a machine: the values that are enforced and that messages are formatted from."""
+"""Define the resources that an answer may use. Enforcement and messages use the same values."""
 
 from dataclasses import dataclass
 
 MB = 1_000_000
 WRITABLE_MIB = 64
-"""Room in each folder that a program in a sandbox may write to."""
+"""The size of each folder that a sandboxed program may write to."""
 
 FLOOD_MESSAGES, FLOOD_S = 500, 1.0
-"""So many messages of a topic within so long (s of simulated time) are a flood. The busiest right answer sends 25."""
+"""This many messages on a topic within this time (s of simulated time) are a flood.
+
+The busiest correct answer sends 25.
+"""
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of one program: bytes, numbers, and seconds of processor time. None: no limit.
+    """The limits of a program: bytes, counts, and seconds of CPU time. None: no limit.
 
-    `processes`, `threads`, `memory`, `kernel`, `descriptors`, `watches`, `files`, `sockets`, `queued` and `stored` hold
-    for a program and all that it has started, the others for each process. `processes` counts threads as well where the
-    kernel enforces it, and `signals` counts timers and signals that wait. `kernel` is memory that the kernel keeps for
-    the program, `watches` is what its epoll instances wait for, `files` is for each folder that it may write to,
-    `queued` is what its sockets hold that nobody has read, `stored` what it writes to files where no file system of its
-    own bounds them, and `output` is what it may print.
+    Some limits apply to a program and its child processes together: `processes`, `threads`, `memory`, `kernel`,
+    `descriptors`, `watches`, `files`, `sockets`, `queued`, and `stored`. The others apply to each process. `processes`
+    also counts threads where the kernel enforces it, and `signals` counts pending timers and signals. `kernel` is
+    memory that the kernel allocates for the program. `watches` counts the entries of its epoll instances. `files`
+    applies to each folder that the program may write to. `queued` counts unread bytes in its sockets. `stored` counts
+    bytes that it writes to shared file systems. `output` limits the printed output.
     """
 
     memory: int | None = None
@@ -41,29 +44,29 @@ class Limits:
 
 
 THREADS_PER_CORE = 4
-"""Libraries such as PyTorch, OpenCV and OpenBLAS start a thread for each processor, each for itself."""
+"""Libraries such as PyTorch, OpenCV, and OpenBLAS each start a thread per processor."""
 ENDED_PROCESSES = 256
-"""So many processes may have ended without a parent that has asked how: each takes a number, and hardly any memory."""
+"""How many ended processes (zombies) may wait for their parent. Each takes a process ID, but hardly any memory."""
 ADDRESSES_PER_THREAD = 72 * MB
-"""Address space that a thread reserves for its stack and its part of the heap, of which it uses hardly any."""
+"""Address space (bytes) that a thread reserves for its stack and its part of the heap. It uses hardly any of it."""
 NO_LIMITS = Limits()
-"""What a program of the reader may use: as much as it wants, but for what it prints."""
+"""The reader's own programs have no limits, except on their printed output."""
 ANSWER_LIMITS = Limits(
     memory=2500 * MB,
     file_size=100 * MB,
     open_files=512,
     cpu=60,
-    core=1,  # no core file fits into one byte; with 0, a kernel that hands them to a program would do so all the same
+    core=1,  # too small for a core file; with 0, a kernel that pipes core files to a program would still do so
     signals=1000,
     processes=64,  # a node takes about 16
-    threads=1500,  # of 32,768 numbers that some machines have for all of them
+    threads=1500,  # some machines have only 32,768 IDs for all threads
     kernel=100
-    * MB,  # 64 processes take 35; an epoll instance takes 0.2 kB for each descriptor that it watches
+    * MB,  # 64 processes take 35 MB; an epoll instance takes 0.2 kB for each descriptor that it watches
     descriptors=4000,  # a node takes about 25
-    watches=4000,  # a node has about ten; all users of a machine have some 100,000 for each GB of its memory
+    watches=4000,  # a node has about ten; a user gets some 100,000 for each GB of the machine's memory
     files=20_000,
-    sockets=256,  # a node takes about ten, and all that wait for messages share one figure of the machine
+    sockets=256,  # a node takes about ten, and sockets' queued messages share one limit of the machine
     queued=32 * MB,
-    stored=200 * MB,  # as much as the folders in a sandbox hold
+    stored=200 * MB,  # the size of a sandbox's folders together
 )
-"""What an answer may use that is graded."""
+"""The limits of a graded answer."""

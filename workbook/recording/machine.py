@@ -1,7 +1,7 @@
-"""How messages and ticks came to their callbacks: what waited, what was thrown away, what the threads did meanwhile.
+"""Store how messages and ticks reached their callbacks: which waited, which were dropped, and what the threads did.
 
-All times are in s since the recording began. What was taken, called and waited for was noted while it happened, and so
-was when each message arrived. What a full queue threw away follows from both: its oldest message, each time.
+All times are in s since the recording began. Arrivals, takes, calls, and waits were recorded as they happened. Dropped
+messages are computed from them: a full queue drops its oldest message for each new one.
 """
 
 from collections.abc import Mapping, Sequence
@@ -11,16 +11,16 @@ from typing import Any, Literal
 Kind = Literal["subscription", "timer", "client", "service"]
 NS = 1e9
 SPINS_ON_S = 0.02
-"""A thread that is back in the wait set, or in a callback, within this time never left `spin`."""
+"""If a thread is back in the wait set or in a callback within this time, it never left `spin`."""
 SAME_TICK_S = 0.5
-"""Of a period: planned moments of a timer that are closer to each other are the same one."""
+"""Share of a period. If a timer's planned ticks are closer together than this, they're the same tick."""
 
 
 @dataclass(frozen=True)
 class Source:
-    """What an executor waits for: its kind, name, the name of its callback, and how much of it may wait.
+    """A source that an executor waits for: its kind, name, callback name, and queue depth.
 
-    `period` (s) is that of a timer. `group` tells callback groups apart.
+    `period` (s): only for timers. `group` identifies the callback group.
     """
 
     kind: Kind
@@ -33,9 +33,10 @@ class Source:
 
 @dataclass(frozen=True)
 class Item:
-    """A message, a request, a response, or a tick of a timer, from when it was there (s) to when it was no more.
+    """A message, request, response, or timer tick in its queue. `came`: when it arrived (s).
 
-    `taken`: by the executor. `lost`: thrown away by a full queue, or a tick that found the one before it waiting.
+    `taken`: when the executor took it. `lost`: when a full queue dropped it, or when a tick came while the previous one
+    was still waiting.
     """
 
     source: int
@@ -45,14 +46,14 @@ class Item:
     lost: float | None = None
 
     def waits(self, now: float) -> bool:
-        """Whether it is in its queue at this moment."""
+        """Return whether the item is in its queue at this moment."""
         gone = min(one for one in (self.taken, self.lost, float("inf")) if one is not None)
         return self.came <= now < gone
 
 
 @dataclass(frozen=True)
 class Call:
-    """One run of a callback: which item it got, in which thread, from when to when (s), and when it was paused."""
+    """One run of a callback: its item, thread, begin and end (s), and pauses."""
 
     source: int
     number: int
@@ -62,17 +63,17 @@ class Call:
     pauses: Sequence[tuple[float, float]] = ()
 
     def runs(self, now: float) -> bool:
-        """Whether it has begun and has not ended."""
+        """Return whether the call has begun but not ended."""
         return self.begin <= now < self.end
 
     def is_paused(self, now: float) -> bool:
-        """Whether it awaits something, and has given its thread back."""
+        """Return whether the call awaits something and has released its thread."""
         return any(begin <= now < end for begin, end in self.pauses)
 
 
 @dataclass(frozen=True)
 class Wait:
-    """One wait of an executor in its wait set: from when to when (s), and for which sources."""
+    """One wait of an executor in its wait set: begin and end (s), and the sources."""
 
     begin: float
     end: float
@@ -81,7 +82,7 @@ class Wait:
 
 @dataclass(frozen=True)
 class MachineRecording:
-    """What was noted of some nodes and their executor for `seconds`. `threads`: that run callbacks."""
+    """A recording of some nodes and their executor for `seconds`. `threads`: how many threads run callbacks."""
 
     sources: Sequence[Source]
     items: Sequence[Item]
@@ -92,36 +93,36 @@ class MachineRecording:
     seconds: float
 
     def waiting(self, source: int, now: float) -> list[Item]:
-        """What is in a queue at this moment, the oldest first."""
+        """Return the items in a source's queue at this moment, oldest first."""
         return [one for one in self.items if one.source == source and one.waits(now)]
 
     def lost(self, source: int, now: float) -> list[Item]:
-        """What a source has lost up to this moment."""
+        """Return the items that a source has lost up to this moment."""
         return [
             one for one in self.items if one.source == source and one.lost is not None and one.lost <= now
         ]
 
     def running(self, now: float) -> list[Call]:
-        """Callbacks that have begun and not ended at this moment."""
+        """Return the callbacks that are running at this moment."""
         return [call for call in self.calls if call.runs(now)]
 
     def looks(self, now: float) -> bool:
-        """Whether a thread is in the wait set, or could be: the only one is not while it runs a callback."""
+        """Return whether a thread is or could be in the wait set. A single thread can't be while it runs a callback."""
         busy = [call for call in self.running(now) if not call.is_paused(now)]
         return self.spins(now) and (self.threads > 1 or not busy)
 
     def spins(self, now: float) -> bool:
-        """Whether a thread is inside `spin` at this moment."""
+        """Return whether a thread is inside `spin` at this moment."""
         return any(begin <= now <= end for begin, end in self.spinning)
 
     def waits_for(self, now: float) -> Sequence[int] | None:
-        """Sources in the wait set at this moment, or in the last one; None before the first."""
+        """Return the sources of the current or latest wait; None before the first one."""
         before = [wait for wait in self.waits if wait.begin <= now]
         return before[-1].sources if before else None
 
 
 def from_notes(notes: Mapping[str, Any]) -> MachineRecording:
-    """The recording from what `workbook/inside/machine_tap.py` has noted."""
+    """Build the recording from the notes of `workbook/inside/machine_tap.py`."""
     began: int = notes["began"]
     seconds = (notes["ended"] - began) / NS
 
@@ -173,7 +174,7 @@ def _messages(
     arrivals: Sequence[Mapping[str, Any]],
     began: int,
 ) -> list[Item]:
-    """Messages in the order in which they came."""
+    """Return a source's messages in the order of arrival."""
     taken = {call["sent"]: call for call in calls if call["sent"] is not None}
     came = {one["sent"]: one["arrived"] for one in arrivals}
     came |= {sent: call["arrived"] for sent, call in taken.items()}
@@ -186,14 +187,14 @@ def _messages(
 
 
 def _thrown_away(items: Sequence[Item], depth: int) -> list[Item]:
-    """The items, with what a queue of this depth lost: its oldest one, for each new one too many."""
+    """Mark the items that a queue of this depth dropped: its oldest item for each new one that doesn't fit."""
     queue: list[int] = []
     found = list(items)
     for place, item in enumerate(items):
         queue = [one for one in queue if not (taken := found[one].taken) or taken > item.came]
         if len(queue) >= depth:
             lost = next((one for one in queue if found[one].taken is None), None)
-            if lost is not None:  # otherwise one of them was taken at this very moment
+            if lost is not None:  # otherwise, the executor took one at this very moment
                 queue.remove(lost)
                 found[lost] = replace(found[lost], lost=item.came)
         queue.append(place)
@@ -203,7 +204,7 @@ def _thrown_away(items: Sequence[Item], depth: int) -> list[Item]:
 def _ticks(
     place: int, source: Mapping[str, Any], calls: Sequence[Mapping[str, Any]], began: int, seconds: float
 ) -> list[Item]:
-    """Ticks of a timer: those that its callback ran for, the planned ones that it missed, and the one that waits."""
+    """Return a timer's ticks: those that ran its callback, the planned ones that it missed, and the waiting one."""
     period = source["period"] / NS
     items: list[Item] = []
 
@@ -224,7 +225,7 @@ def _ticks(
 
 
 def _joined(spans: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Spans of time (s) without the gaps that are too short to count."""
+    """Join time spans (s) whose gaps are too short to count."""
     found: list[tuple[float, float]] = []
     for begin, end in sorted(spans):
         if found and begin - found[-1][1] <= SPINS_ON_S:

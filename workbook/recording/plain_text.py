@@ -1,4 +1,4 @@
-"""Text of a program, fit for terminals, pages, tables and files."""
+"""Clean a program's text for terminals, pages, tables, and files."""
 
 import codecs
 import re
@@ -8,26 +8,29 @@ _ESCAPES = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\
 _BLANK = re.compile(
     "[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180d\u180f\u2800\u3164\ufe00-\ufe0e\uffa0\U000e0100-\U000e01ef]"
 )
-"""Marks, letters and symbols that show nothing."""
+"""Invisible marks, letters, and symbols."""
 _JOINERS = "\u200c\u200d\ufe0f"
 _JOINED = re.compile(
     rf"(?<=[^\x00-\x7f])((?:\ufe0f?[\u200c\u200d](?=[^\x00-\x7f])|\ufe0f)(?![{_JOINERS}]))|[{_JOINERS}]+"
 )
-"""What joins letters of a name or parts of an emoji (group 1), and the same signs where they join nothing."""
+"""Characters that join letters of a name or parts of an emoji (group 1), and the same ones where they join nothing."""
 _KEPT = f"\n\t{_JOINERS}"
 
 
 def plain_text(raw: bytes) -> str:
-    """Text that no terminal, page or file can take for a command: see `without_commands`."""
+    """Decode bytes to text that no terminal, page, or file could interpret as a command.
+
+    See `without_commands`.
+    """
     return without_commands(codecs.decode(raw, "utf-8", "replace").replace("\r\n", "\n"))
 
 
 def without_commands(text: str) -> str:
-    """The same text, with everything taken out that a terminal or a reader's eye could take for a command.
+    """Remove everything that a terminal could interpret as a command, or that could mislead a reader.
 
-    Escapes and control characters go, but for line breaks and tabs. So does all that is invisible and no space: it can
-    make a text look like another one, turn the direction of writing, or hide words. The signs that join letters and
-    emoji stay between those: names need them.
+    That covers escape sequences and control characters, except for line breaks and tabs. It also covers all invisible
+    characters except spaces. They can make one text look like another, change the writing direction, or hide words.
+    Characters that join letters or emoji stay in those places, because names need them.
     """
     if text.isascii() and text.isprintable():
         return text
@@ -36,5 +39,5 @@ def without_commands(text: str) -> str:
 
 
 def _is_seen(character: str) -> bool:
-    """Whether a character shows something, breaks a line, is a space, or may join others."""
+    """Return whether a character is visible, a line break, a tab, a space, or a joiner."""
     return character.isprintable() or character in _KEPT or unicodedata.category(character) == "Zs"

@@ -1,4 +1,4 @@
-"""What is to be watched: how finely and how long, and what is said meanwhile."""
+"""Plan a watch: the judged topics, the resolution and duration, and the judge's script."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -7,35 +7,37 @@ from typing import Any
 from workbook.recording.script import NOTHING_SAID, Script
 
 SPEEDS = (9.0, 20.0)
-"""Robot seconds per real second for a program that does not come to rest; else the clock goes in lock-step with it."""
+"""Robot seconds per real second if a program doesn't come to rest. Otherwise, the clock runs in lockstep with it."""
 PERIODS_PER_BLOCK = 4.5
-"""Of the longest judged period: a fast block, then a slow one, each long enough for three intervals of every topic."""
+"""The length of a fast or slow block, in longest judged periods: long enough for three intervals of every topic."""
 WALL_PERIODS = 4.0
 WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
 STEPS_PER_PERIOD = 10
-"""Steps of simulated time in the shortest judged period, where an exercise says nothing else."""
+"""The default number of simulated time steps in the shortest judged period."""
 BYTES_PER_TOPIC = 1_000_000
-"""How much is kept of a topic, where an exercise says nothing else. A joint array of twelve angles takes 80 bytes."""
+"""How many bytes of messages are kept for each topic by default. An array of twelve joint angles takes 80 bytes."""
 
 
 Feature = Callable[[Any], Any]
-"""What is kept of a field: given the message, it returns numbers, texts, and lists or dicts of them."""
+"""A function that extracts the part of a message to keep: numbers, strings, and lists or dicts of them."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What is to be judged, so that the watch knows how finely and how long to record.
+    """The judged topics and the script. They determine the resolution and duration of the watch.
 
-    `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
-    `paced`: those of them whose rate is judged. `simulated_seconds`: simulated time to watch; None: nine of the longest
-    period. `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
-    `script`: what the judge sends meanwhile. A program that only listens is then seen by its node. `seed`: what the
-    script was drawn from; None for one that is the same in each run. `to_the_end`: whether the watch also looks for
-    nodes that stay on the graph after the program. A participant that vanishes without a DDS dispose is then remembered
-    for much longer than a dispose takes on the busiest machine. `bytes_per_topic`: how many bytes of messages are kept
-    of each topic. `features`: by topic and field, what is kept of large fields besides their beginning, size and hash.
-    `steps_per_period`: into how many steps of simulated time the shortest judged period is divided.
+    `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds. `paced`: the
+    topics whose rate is judged. `simulated_seconds`: simulated time to watch; None: nine longest periods.
+    `wall_seconds`: real time to watch on the wall clock; None: a little more than four longest periods. `script`: the
+    judge's messages, services, and calls. With a script, a node alone shows that the program is up. `seed`: the
+    script's seed; None if the script is the same in each run.
+
+    `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program's end. Then a
+    participant that vanishes without a DDS dispose is remembered for much longer than a dispose takes on a busy
+    machine. `bytes_per_topic`: how many bytes of messages are kept for each topic. `features`: by topic and field,
+    functions that extract what to keep of large fields in addition to their beginning, size, and hash.
+    `steps_per_period`: the number of simulated time steps in the shortest judged period.
     """
 
     topics: tuple[str, ...]
@@ -53,12 +55,12 @@ class Plan:
 
     @property
     def node_suffices(self) -> bool:
-        """Whether a node alone is a sign of life: where nothing has to be published before something was said."""
+        """Whether a node alone shows that the program is up, because it needn't publish anything by itself."""
         return bool(self.script) or not self.topics
 
     @property
     def step_s(self) -> float:
-        """Step of simulated time (s)."""
+        """The step of simulated time (s)."""
         return self.shortest_period / self.steps_per_period
 
     @property

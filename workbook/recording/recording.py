@@ -1,8 +1,7 @@
-"""What was seen of a program: who published what, when and how, and what the process did.
+"""Store a program's run: which nodes published which messages when, and what the process did.
 
-A recording is plain data. It is made once, stored as JSON, and everything else (pictures, criteria, feedback)
-is a function of it. Times named `t` are simulated time in seconds since the watch began; `wall` is real time in
-seconds since the program was started.
+A recording is plain data, made once and stored as JSON. Everything else (figures, criteria, feedback) is derived from
+it. Times named `t` are simulated time (s) since the watch began. `wall` is real time (s) since the program was started.
 """
 
 import json
@@ -20,10 +19,10 @@ Clock = Literal["simulated", "wall"]
 
 @dataclass(frozen=True)
 class Arrival:
-    """One message as it arrived. `value` holds its fields as plain data, e.g. `{"data": 99.5}`.
+    """One message as it arrived. `value` contains its fields as plain data, e.g. `{"data": 99.5}`.
 
-    `t` and `wall` tell when it arrived. `sent` is the wall time (s) at which the program published it, from the time
-    stamp that DDS puts on every message; None in old recordings.
+    `t` and `wall` are its arrival times. `sent` is the wall time (s) at which the program published it, from the time
+    stamp that DDS adds to every message. It's None in old recordings.
     """
 
     t: float
@@ -34,17 +33,17 @@ class Arrival:
 
     @property
     def published(self) -> float:
-        """When the program published it (s of wall time).
+        """When the program published the message (s of wall time).
 
-        A message that gets lost on its way is sent once more, so messages of two topics may arrive in another order
-        than they were published. To tell what came first, or what came from what, compare these.
+        DDS sends a lost message again, so messages on two topics may arrive in a different order than they were
+        published. Compare these times to find the first message or a message's cause.
         """
         return self.wall if self.sent is None else self.sent
 
 
 @dataclass(frozen=True)
 class PublisherSeen:
-    """A publisher on the graph: full node name, message type and the QoS it offers (`deadline`, `lifespan` in s)."""
+    """A publisher on the graph: its node's fully qualified name, type, and QoS (`deadline`, `lifespan` in s)."""
 
     node: str
     type: str
@@ -58,7 +57,7 @@ class PublisherSeen:
 
 @dataclass(frozen=True)
 class SubscriberSeen:
-    """A subscription on the graph: full node name, message type and the QoS that it requests (`deadline` in s)."""
+    """A subscription on the graph: its node's fully qualified name, type, and QoS (`deadline` in s)."""
 
     node: str
     type: str
@@ -69,13 +68,13 @@ class SubscriberSeen:
 
 @dataclass(frozen=True)
 class TopicRecording:
-    """Everything about one topic; `window` is the simulated time from its match to the end of the watch.
+    """The recording of one topic. `window` is the simulated time from its match to the end of the watch.
 
-    `undecodable`: messages whose bytes are none of its type. `not_kept`: messages that came and are not here;
-    `too_large` of them were larger than a message may be. `broken_at`: when (s of simulated time) the first came that
-    was undecodable or too large. `full_at`: when the room for this topic was used up; None if it never was. `room`: how
-    many bytes that is; None where there were too many messages. `kept`: how many earlier messages a subscription got
-    that was made after the watch; None where none was made, or where new messages came meanwhile.
+    `undecodable`: messages whose bytes don't fit the type. `not_kept`: messages that arrived but aren't stored;
+    `too_large` of them exceeded the size limit. `broken_at`: when (s of simulated time) the first undecodable or too
+    large message arrived. `full_at`: when this topic's quota was used up; None if it never was. `room`: the quota in
+    bytes if bytes ran out; None if the number of messages did. `kept`: how many earlier messages a late subscription
+    received. It is None without such a subscription, or if new messages arrived in the meantime.
     """
 
     name: str
@@ -94,16 +93,16 @@ class TopicRecording:
 
     @property
     def types(self) -> tuple[str, ...]:
-        """The message types of its publishers, sorted, each once."""
+        """The message types of the topic's publishers, sorted, each once."""
         return tuple(sorted({publisher.type for publisher in self.publishers}))
 
 
 @dataclass(frozen=True)
 class NodeSeen:
-    """A node on the graph by its full name, and when (wall time, s) it appeared.
+    """A node on the graph: its fully qualified name, and when (wall time, s) it appeared.
 
-    `most`: how many nodes of this name there were at once. `stayed`: still on the graph after the program had ended
-    (None where the end was not watched).
+    `most`: the largest number of nodes with this name at the same time. `stayed`: whether it was still on the graph
+    after the program's end; None if the end wasn't watched.
     """
 
     name: str
@@ -114,7 +113,7 @@ class NodeSeen:
 
 @dataclass(frozen=True)
 class Published:
-    """One message of the script, as the judge published it. `value` holds its fields as plain data, as in `Arrival`.
+    """One message of the script, as the judge published it. `value` contains its fields as plain data, as in `Arrival`.
 
     `t`: simulated time (s). `wall`: wall time (s), just before it was published.
     """
@@ -128,9 +127,9 @@ class Published:
 
 @dataclass(frozen=True)
 class CallSeen:
-    """One call of a service. `by`: "program" for a call to the judge's service, "judge" for a call by the judge.
+    """One service call. `by`: "program" for a call to the judge's service, "judge" for a call by the judge.
 
-    `response` and the moments of the answer are None when there was none.
+    `response`, `answered_t`, and `answered_wall` are None if there was no response.
     """
 
     service: str
@@ -145,21 +144,21 @@ class CallSeen:
 
 @dataclass(frozen=True)
 class ServiceSeen:
-    """A service that the program offers, or has a client for, by its full name and type."""
+    """The fully qualified name and type of a service that the program offers or has a client for."""
 
     name: str
     type: str
 
 
 SILENCED, UNCHECKED, UNFINISHED = "silenced", "unchecked", "unfinished"
-"""Codes of findings that are not mypy's own: what keeps it from reporting, from checking, and from finishing."""
+"""Codes of findings that aren't mypy's: code that silences mypy, code that mypy skips, and a run that didn't finish."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that the type checker said of the program, or of a `probe`: code that uses it ("" for the program).
+    """One message of the type checker about the program, or about a `probe`: code that uses it ("" for the program).
 
-    `line` counts from 1; it is 0 where no line is to blame.
+    `line` counts from 1; it's 0 if the finding isn't about a line.
     """
 
     probe: str
@@ -170,12 +169,12 @@ class Finding:
 
 @dataclass(frozen=True)
 class SpinSeen:
-    """A line of the source that spins, and that may be why nothing is published: `code` at `line` (from 1).
+    """A source line that spins and may be why nothing is published: `code` at `line` (from 1).
 
-    `callback`: the callback that it is called from; empty where there is none. `kept`: what cannot begin because this
-    call does not return: another "spin", something that a later line would "create", or the next "round" of a loop.
-    `later`, `later_code`: where that stands. `waits`: this line does not spin, but waits in vain for a "rate"
-    or for a "future".
+    `callback`: the callback that calls it; empty if none does. `kept`: what can't begin because this call doesn't
+    return. It's another "spin", an object that a later line would "create", or the next "round" of a loop. `later` and
+    `later_code`: that line's number and code. `waits`: the line doesn't spin, but waits in vain for a "rate" or a
+    "future".
     """
 
     line: int
@@ -190,13 +189,13 @@ class SpinSeen:
 
 @dataclass(frozen=True)
 class ProcessRecord:
-    """How the program ran and ended. `ended_by` is "itself", "judge" (the judge), or None while it runs.
+    """How the program ran and ended. `ended_by` is "itself", "judge", or None while it runs.
 
-    `log` is what it printed of its own accord, `end_log` what it printed after the judge had sent Ctrl-C.
-    `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
-    `printed_at`: when the last text of `log` came (wall time, s). `driver_key`: what a driver has signed its reports
-    with, in hexadecimal digits; empty where there was none, and in old recordings. `unfiltered`: why its tier could not
-    filter its system calls, as a clause; empty where they were filtered, and where the tier filters none.
+    `log` is its output up to the judge's Ctrl-C, `end_log` its output after that. `processor`: on the wall clock, pairs
+    of wall time (s) and the CPU time (s) used until then. `printed_at`: when the last text of `log` arrived (wall time,
+    s). `driver_key`: the key with which a driver signed its reports, in hexadecimal; empty without a driver and in old
+    recordings. `unfiltered`: why its tier couldn't filter system calls, as a clause; empty if they were filtered or if
+    the tier doesn't filter any.
     """
 
     program: str = ""
@@ -217,8 +216,8 @@ class ProcessRecord:
 
 
 @dataclass(frozen=True)
-class Phase:
-    """A stretch of the watch at one speed (robot seconds per real second); `start` and `end` in simulated time."""
+class Stretch:
+    """A stretch of the watch at one speed (robot seconds per real second). `start` and `end` are simulated time (s)."""
 
     speed: float
     start: float
@@ -227,29 +226,32 @@ class Phase:
 
 @dataclass(frozen=True)
 class Recording:
-    """One observed run of one program: what it published, heard and called, and how its process ran and ended.
+    """One recorded run of a program: what it published, received, and called, and how its process ran and ended.
 
-    `findings`: what the type checker said; None if it was not asked. `wanted`: topics and services that a right program
-    has, so that none of them is taken for a misspelled other one. `following`: by topic, whether its messages were
-    proved to follow the simulated clock; a topic of which nothing is proved is not in it. `in_lockstep`: whether the
-    program was at rest before each step of that clock, so that nothing it did in real time could make it late.
-    `own_clock`: nodes that subscribed to /clock by themselves, before anything was switched to simulated time.
+    `watched_s`: how long (s) the watch lasted, in simulated time or, on the wall clock, in real time. `wall_s`: how
+    long (s) it took in real time. `stretches`: the stretches of simulated time, in order.
 
-    `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
-    the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
-    all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
+    `findings`: the type checker's messages; None if it didn't run. `wanted`: topics and services of a correct program,
+    so that none of them is mistaken for a misspelling of another. `following`: by topic, whether its messages follow
+    the simulated clock; topics without proof are missing. `in_lockstep`: whether the program was at rest before each
+    step of that clock, so that real time couldn't make it late. `own_clock`: nodes that subscribed to /clock by
+    themselves, before the switch to simulated time.
 
-    `seed`: what the script was drawn from; None where it is the same in each run. `unpublished`: the messages of the
-    script that were still to come when the watch ended (`t` and `wall`: when they were due). `spins`: what the source
-    of the program says about its spins. `repeated_init`: the line (from 1) of an rclpy.init() in a loop; 0 if there is
-    none.
+    `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor. `stood_still_s`:
+    the longest time (s) for which this virtual machine's host took a processor away. `taken_s`: the total time (s) for
+    which the host did so, averaged over the processors. `in_line_s`: the total time (s) for which the program was ready
+    to run but got no processor.
+
+    `seed`: the script's seed; None if the script is the same in each run. `unpublished`: the script's messages that
+    hadn't been published when the watch ended (`t` and `wall`: when they were due). `spins`: the spins found in the
+    program's source. `repeated_init`: the line (from 1) of an rclpy.init() in a loop; 0 if there is none.
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)
     clock: Clock
     domain_id: int
-    phases: tuple[Phase, ...] = field(default=(), metadata=ALWAYS_STORED)
-    simulated_s: float = field(default=0.0, metadata={**ALWAYS_STORED, **stored_as("robot_s")})
+    stretches: tuple[Stretch, ...] = field(default=(), metadata={**ALWAYS_STORED, **stored_as("phases")})
+    watched_s: float = field(default=0.0, metadata={**ALWAYS_STORED, **stored_as("robot_s")})
     wall_s: float = field(default=0.0, metadata=ALWAYS_STORED)
     topics: Mapping[str, TopicRecording] = field(default_factory=dict, metadata=ALWAYS_STORED)
     nodes: tuple[NodeSeen, ...] = field(default=(), metadata=ALWAYS_STORED)
@@ -277,25 +279,25 @@ class Recording:
     ignores_unknown_fields: ClassVar[bool] = True
 
     def topic(self, name: str) -> TopicRecording:
-        """The recording of a topic; an empty one if nothing of that name was seen."""
+        """Return a topic's recording; it's empty if the topic wasn't seen."""
         return self.topics.get(name, TopicRecording(name))
 
     def with_publishers(self) -> tuple[TopicRecording, ...]:
-        """Topics that had a publisher, by name."""
+        """Return the topics that had a publisher, sorted by name."""
         return tuple(self.topics[name] for name in sorted(self.topics) if self.topics[name].publishers)
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data that `json` can write: no NaN (spelled as text), no tuples needed."""
+        """Convert the recording to plain data for `json`. NaN is stored as text."""
         data: dict[str, Any] = encode(self)
         return data
 
     def save(self, path: Path) -> None:
-        """Write the recording to a file, as JSON that `load` reads."""
+        """Write the recording to a file as JSON, for `load`."""
         path.write_text(json.dumps(self.to_json(), allow_nan=False, separators=(",", ":")))
 
     @classmethod
     def from_json(cls, data: object) -> "Recording":
-        """Rebuild a recording. Raises ValueError when the data is not one or is of another format."""
+        """Rebuild a recording. Raise ValueError if the data isn't a recording or has another format."""
         if not isinstance(data, dict) or data.get("format") != FORMAT:
             found = (
                 f"format is {data.get('format')!r}"
@@ -310,5 +312,5 @@ class Recording:
 
     @classmethod
     def load(cls, path: Path) -> "Recording":
-        """Read a recording from a file. Raises ValueError when it is not one, OSError when it cannot be read."""
+        """Load a recording from a file. Raise ValueError if it isn't a recording, and OSError if it can't be read."""
         return cls.from_json(json.loads(path.read_text()))

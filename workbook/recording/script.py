@@ -1,7 +1,7 @@
-"""What the judge sends to a program under watch: messages, services that it offers, services that it calls.
+"""Define the judge's script for a watched program: messages to publish, services to offer, and services to call.
 
-A script is data. Its times are seconds of simulated time since the watch began. Everything here is plain Python, so
-that a criteria file can name its parts again when it judges.
+A script is data. Its times are simulated time (s) since the watch began. Everything here is plain Python, so that a
+criteria file can refer to the script's parts when it judges.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,12 +12,12 @@ from workbook.recording.type_names import type_name
 
 Qos = Literal["reliable", "best_effort", "latched"]
 BEFORE_START = -1.0
-"""In place of a time (s): published before the program is started."""
+"""A special time (s): publish before the program is started."""
 
 
 @dataclass(frozen=True)
 class Line:
-    """One message of a script: when (s; `BEFORE_START`: before the program is started), and its fields."""
+    """One message or request of a script: when it's due (s, or `BEFORE_START`), and its fields."""
 
     at: float
     value: Mapping[str, Any]
@@ -27,8 +27,8 @@ class Line:
 class Publishes:
     """Messages that the judge publishes on a topic. "latched": reliable, and the last one is kept for late joiners.
 
-    `deadline`: the longest time (s) from one message to the next that the publisher offers; None offers none.
-    `awaited`: whether the watch begins only when the program listens.
+    `deadline`: the publisher's offered deadline (s); None: no deadline. `awaited`: whether the watch begins only once
+    the program has subscribed.
     """
 
     topic: str
@@ -42,7 +42,7 @@ class Publishes:
 
 @dataclass(frozen=True)
 class Reply:
-    """How one call is answered: the fields of the response, after how many seconds; None: never."""
+    """The response to one call: its fields, and its delay `after` (s); None: never respond."""
 
     value: Mapping[str, Any]
     after: float | None = 0.0
@@ -50,7 +50,7 @@ class Reply:
 
 @dataclass(frozen=True)
 class Serves:
-    """A service that the judge offers. The first call gets the first reply, and so on; then the last one again."""
+    """A service that the judge offers. The first call gets the first reply, and so on. The last reply repeats."""
 
     service: str
     type: str
@@ -59,7 +59,7 @@ class Serves:
 
 @dataclass(frozen=True)
 class Calls:
-    """Calls that the judge makes to a service of the program."""
+    """Calls that the judge makes to one of the program's services."""
 
     service: str
     type: str
@@ -71,7 +71,7 @@ Part = Publishes | Serves | Calls
 
 @dataclass(frozen=True)
 class Script:
-    """All that the judge sends in one watch."""
+    """Everything that the judge sends in one watch."""
 
     parts: tuple[Part, ...] = field(default=())
 
@@ -80,15 +80,9 @@ class Script:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Topics and services that a program needs for it; not those that it should leave alone."""
+        """The topics and services that a correct program uses, without topics that it should leave alone."""
         publish = [part.topic for part in self.parts if isinstance(part, Publishes) and part.awaited]
         return *publish, *(part.service for part in self.parts if not isinstance(part, Publishes))
-
-    @property
-    def last_at(self) -> float:
-        """When the last line is due (s)."""
-        lines = [line.at for part in self.parts if not isinstance(part, Serves) for line in part.lines]
-        return max(lines, default=0.0)
 
 
 NOTHING_SAID = Script()
@@ -103,13 +97,13 @@ def publish(
     deadline: float | None = None,
     awaited: bool = True,
 ) -> Publishes:
-    """Messages for `topic` as pairs of a time (s) and a value: the fields, or only that of `data`.
+    """Define messages for `topic` as pairs of a time (s) and a value: the fields, or only the value of `data`.
 
-    The watch begins when the program listens to `topic`. With `awaited=False` it does not wait for that: for a topic
-    that a program should leave alone.
+    The watch begins when the program subscribes to `topic`. With `awaited=False`, it doesn't wait for that, because the
+    program should leave the topic alone.
 
-    A subscription that requests a deadline is matched only where one as short is offered: offer it with `deadline`
-    (s). Raises ValueError for a deadline that is not above zero.
+    A subscription that requests a deadline matches only a publisher that offers the same or a shorter one: set
+    `deadline` (s). Raise ValueError if the deadline isn't above zero.
     """
     if deadline is not None and not deadline > 0.0:
         raise ValueError(f"a deadline is above zero, not {deadline}")
@@ -119,19 +113,25 @@ def publish(
 def serves(
     service: str, service_class: Any, replies: Sequence[tuple[Mapping[str, Any], float | None]]
 ) -> Serves:
-    """A service for the program to call; `replies` as pairs of the response's fields and the seconds it takes."""
+    """Define a service for the program to call.
+
+    `replies` are pairs of a response's fields and its delay (s; None: never). Raise ValueError without replies.
+    """
     if not replies:
         raise ValueError(f"{service} needs at least one reply")
     return Serves(service, type_name(service_class), tuple(Reply(value, after) for value, after in replies))
 
 
 def calls(service: str, service_class: Any, lines: Sequence[tuple[float, Mapping[str, Any]]]) -> Calls:
-    """Calls to a service of the program, as pairs of a time (s) and the fields of the request."""
+    """Define calls to one of the program's services as pairs of a time (s) and the request's fields."""
     return Calls(service, type_name(service_class), _lines(lines))
 
 
 def _lines(pairs: Sequence[tuple[float, Any]]) -> tuple[Line, ...]:
-    """In order, and to the microsecond: what a sum of floats has too much would delay a line by a step of the clock."""
+    """Return the lines in order, rounded to microseconds.
+
+    Otherwise, a float's rounding error could delay a line by a clock step.
+    """
     lines = [
         Line(round(at, 6), value if isinstance(value, Mapping) else {"data": value}) for at, value in pairs
     ]

@@ -1,4 +1,4 @@
-"""How a frozen dataclass is stored: the names of its fields, which need no conversion, and what data are refused."""
+"""Define how a frozen dataclass is stored: field names, conversions, and the error for data that doesn't fit."""
 
 import types
 from collections.abc import Callable, Mapping
@@ -8,23 +8,23 @@ from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 Converter = Callable[[Any], Any]
 
 ALWAYS_STORED: Mapping[str, Any] = {"always stored": True}
-"""Metadata of a field that has a default for whoever makes one by hand, and that stored data never lacks."""
+"""Metadata of a field whose default is only for constructor calls. Stored data always contains the field."""
 NOT_STORED: Mapping[str, Any] = {"not stored": True}
 STORED_IF_SET: Mapping[str, Any] = {"stored if set": True}
-"""Metadata of a field that is left out while it is empty, as it nearly always is."""
+"""Metadata of a field that is left out if it's empty, as it nearly always is."""
 UNKNOWN_FIELDS: Mapping[str, Any] = {"unknown fields": True}
-"""Metadata of a mapping that keeps what a newer version has stored, so that it is written again."""
+"""Metadata of a mapping that keeps fields from a newer version, so that they're written again."""
 
 _LONGEST_QUOTATION = 60
 
 
 def stored_as(name: str) -> Mapping[str, Any]:
-    """Metadata of a field whose name in JSON is no name in Python."""
+    """Return metadata for a field that has another name in JSON."""
     return {"stored as": name}
 
 
 class Malformed(ValueError):
-    """Data that does not fit its type. `path` says where (`criteria[2].points`), `problem` what is wrong."""
+    """Data that doesn't fit its type. `path` is a place such as `criteria[2].points`; `problem` describes the error."""
 
     def __init__(self, problem: str, path: str = "") -> None:
         self.problem = problem
@@ -32,22 +32,22 @@ class Malformed(ValueError):
         super().__init__(f"{self.path}: {problem}" if self.path else problem)
 
     def below(self, step: str) -> "Malformed":
-        """The same, seen from one level up."""
+        """Return this error with `step` in front of its path."""
         path = self.path if not self.path or self.path.startswith("[") else f".{self.path}"
         return Malformed(self.problem, f"{step}{path}")
 
 
 def quoted(data: object) -> str:
-    """Data as ASCII text for an error message, cut when it is long."""
+    """Format data as ASCII text for an error message, cut if it's long."""
     text = ascii(data)
     return text if len(text) <= _LONGEST_QUOTATION else f"{text[: _LONGEST_QUOTATION - 4]} ..."
 
 
 class StoredField(NamedTuple):
-    """How one field of a dataclass is stored.
+    """How a dataclass field is stored.
 
     `key`: its name in JSON. `as_is`: types of values that need no conversion; `convert` handles all others. `is_float`:
-    whether it holds a float. `default`: makes the value of a missing field; None when the field must be there.
+    whether it's a float. `default`: creates the value of a missing field; None if the field is required.
     """
 
     name: str
@@ -59,7 +59,7 @@ class StoredField(NamedTuple):
 
 
 def stored_fields(kind: type, convert: Callable[[Any], Converter]) -> tuple[StoredField, ...]:
-    """The fields of a dataclass that are stored, in order; `convert` makes the converter for a type hint."""
+    """Return a dataclass's stored fields, in order. `convert` creates the converter for a type hint."""
     hints = get_type_hints(kind)
     parts = []
     for one in fields(kind):
@@ -68,7 +68,7 @@ def stored_fields(kind: type, convert: Callable[[Any], Converter]) -> tuple[Stor
         hint = hints[one.name]
         as_is = _as_is(hint)
         if get_origin(hint) in (Union, types.UnionType):
-            hint = optional(hint)  # None is among those that need no conversion
+            hint = optional(hint)  # `as_is` covers None
         key = one.metadata.get("stored as", one.name)
         parts.append(StoredField(one.name, key, as_is, hint is float, convert(hint), _default_of(one)))
     return tuple(parts)
@@ -83,7 +83,7 @@ def _default_of(one: Field[Any]) -> Callable[[], Any] | None:
 
 
 def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
-    """Fields that get their default, and the mapping for unknown fields, empty."""
+    """Return the fields that aren't stored, and the mapping for unknown fields, each with its default's factory."""
     found: list[tuple[str, Callable[[], Any]]] = []
     for one in fields(kind):
         if one.metadata.keys() & {"not stored", "unknown fields"}:
@@ -95,19 +95,19 @@ def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
 
 
 def keys_stored_if_set(kind: type) -> list[str]:
-    """The keys of fields that are left out while they are empty."""
+    """Return the keys of fields that are left out if they're empty."""
     return [
         one.metadata.get("stored as", one.name) for one in fields(kind) if "stored if set" in one.metadata
     ]
 
 
 def name_of_unknown(kind: type) -> str | None:
-    """Name of the field that collects unknown fields; None when the class has none."""
+    """Return the name of the field that collects unknown fields; None if the class has none."""
     return next((one.name for one in fields(kind) if "unknown fields" in one.metadata), None)
 
 
 def _as_is(hint: Any) -> frozenset[type]:
-    """Types whose values are the same in JSON, whatever they are."""
+    """Return the hint's types whose values need no conversion."""
     if hint in (int, bool, types.NoneType):
         return frozenset([hint])
     if get_origin(hint) in (Union, types.UnionType):
@@ -116,7 +116,7 @@ def _as_is(hint: Any) -> frozenset[type]:
 
 
 def optional(hint: Any) -> Any:
-    """X of `X | None`. Raises TypeError for other unions."""
+    """Return X from `X | None`. Raise TypeError for other unions."""
     others = [one for one in get_args(hint) if one is not types.NoneType]
     if len(others) != 1:
         raise TypeError(f"no conversion for {hint}")

@@ -1,7 +1,7 @@
-"""ROS itself, made safe for notebooks: domain leases, the environment, contexts and executors, graph tools.
+"""Make ROS safe for notebooks: domain leases, the environment, contexts and executors, and graph tools.
 
-Every layer above may import its modules; what cells use (`node_list`, `topic_echo`, …) the package itself offers.
-Those names are imported at first use, because rclpy must not be imported before the environment is set.
+Every layer above may import its modules. Functions for cells (`node_list`, `topic_echo`, …) are attributes of the
+package. They're imported on first use, because rclpy must not be imported before the environment is set.
 """
 
 from importlib import import_module

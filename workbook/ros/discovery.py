@@ -1,4 +1,4 @@
-"""Waiting until DDS discovery is complete, with a hidden, short-lived node that reads the graph of a domain."""
+"""Wait until DDS discovery is complete, with a hidden, short-lived node that reads a domain's graph."""
 
 import os
 import sys
@@ -16,29 +16,29 @@ from workbook.ros.domains import dds_port_range
 
 NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 PATIENCE_S = 10.0
-"""How long (s) a look waits for participants. A plain program announces itself every 3 s, and one may get lost."""
+"""The longest wait (s) for participants. Programs announce themselves every 3 s by default, and one may get lost."""
 _LOOK_EVERY_S = 1.0
-"""How often (s) a look that has to wait asks whether a program is stopped."""
+"""While waiting, how often (s) we check whether a program is stopped."""
 _QUIET_S = 0.1
-"""Discovery counts as complete when nothing new has come for so long."""
+"""Discovery counts as complete when nothing new has appeared for this long (s)."""
 _EMPTY_S = 1.0
-"""The same where a participant has named no node, or not the node of an endpoint. It may have none."""
+"""The same time (s) if a participant hasn't named its nodes, or not the node of an endpoint. It may have none."""
 _POLL_S = 0.005
 _FIRST_PARTICIPANT_PORT = 10
 """Offset of participant 0 within the ports of a domain (DDS-RTPS specification, section 9.6.1)."""
 
 
 def current_domain() -> int:
-    """The domain of this notebook: that of the running default context, or the one of the environment."""
+    """Return this notebook's domain: the running default context's, or else the environment's."""
     context = get_default_context()
     return context.get_domain_id() if context.ok() else int(os.environ.get("ROS_DOMAIN_ID") or 0)
 
 
 @contextmanager
 def discovery_node(domain_id: int | None = None) -> Iterator[Node]:
-    """A hidden node on `domain_id` (default: the current domain) that goes when the block ends.
+    """Yield a hidden node on `domain_id` (default: the current domain), and destroy it after the block.
 
-    It joins the context of this notebook where there is one, whose discovery is done already.
+    If possible, the node joins this notebook's context, where discovery is already complete.
     """
     wanted = current_domain() if domain_id is None else domain_id
     shared = get_default_context()
@@ -63,20 +63,20 @@ def discovery_node(domain_id: int | None = None) -> Iterator[Node]:
 
 
 def _participants(node: Node) -> set[bytes]:
-    """Participants discovered on the domain: one GUID prefix per process and context."""
+    """Return the participants discovered on the domain: one GUID prefix per process and context."""
     infos = node.get_publishers_info_by_topic("ros_discovery_info", no_mangle=True)
     return {bytes(info.endpoint_gid[:12]) for info in infos}
 
 
 def _ports_here(domain_id: int) -> set[int]:
-    """The ports of this machine's participants on the domain: each holds one UDP port with an even number."""
+    """Return the UDP ports of this machine's participants on the domain: each has one with an even number."""
     ports = dds_port_range(domain_id)
     used = udp_ports_in_use() & set(ports)
     return {port for port in used if port - ports.start >= _FIRST_PARTICIPANT_PORT and port % 2 == 0}
 
 
 def _stopped(ports: set[int]) -> list[int]:
-    """The processes that hold some of these ports and are stopped, such as by Ctrl-Z. They cannot answer."""
+    """Return the IDs of stopped processes (e.g. by Ctrl-Z) that hold some of these ports. They can't respond."""
     if not ports:
         return []
     halted = [pid for pid in pids() if _is_stopped(pid)]
@@ -92,9 +92,9 @@ def _is_stopped(pid: int) -> bool:
 
 @dataclass(frozen=True)
 class _View:
-    """What the graph holds now. `nameless`: the node of an endpoint is still unknown.
+    """A snapshot of the graph. `nameless`: whether an endpoint's node is still unknown.
 
-    `empty`: participants without endpoints, except those that belong to a node without endpoints.
+    `empty`: the number of participants without endpoints, minus the nodes without endpoints.
     """
 
     endpoints: tuple[str, ...]
@@ -105,7 +105,7 @@ class _View:
 
     @property
     def complete(self) -> bool:
-        """Whether each participant that was discovered has named its nodes."""
+        """Whether each discovered participant has named its nodes."""
         return not self.nameless and self.empty <= 0
 
 
@@ -127,9 +127,9 @@ def _view(node: Node) -> _View:
 
 
 def wait_for_graph(node: Node, limit: float = PATIENCE_S) -> None:
-    """Wait until every participant of this machine has answered and nothing new comes, at most `limit` s.
+    """Wait until all of this machine's participants are discovered and nothing new appears, at most `limit` s.
 
-    The look doesn't wait for a stopped process. A warning on stderr says that nodes may be missing then.
+    Don't wait for stopped processes. If participants are missing in the end, print a warning to stderr.
     """
     domain_id = node.context.get_domain_id()
     known_before = len(_participants(node)) > 1

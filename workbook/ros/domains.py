@@ -1,9 +1,9 @@
-"""Leases on ROS domains: a process that holds a domain shares it with no other.
+"""Lease ROS domains, so that no two processes lease the same one.
 
-A lease is an abstract Unix socket named after the domain. The kernel closes it with its holder, so a lease can
-never be left behind, whatever happens to the process. It is a stream socket that never listens: no program can send
-anything to it, which would stay there as long as the lease. Domains 1 to 101 keep clear of the ephemeral ports of
-Linux (UDP port = 7400 + 250 * domain + …, DDS-RTPS specification, section 9.6.1).
+A lease is an abstract Unix socket named after the domain. The kernel closes the socket when the process ends, however
+it ends, so no lease is left behind. It's a stream socket that never listens, because data sent to it would stay there
+as long as the lease. Domains 1 to 101 avoid Linux's ephemeral ports (UDP port = 7400 + 250 * domain + …, DDS-RTPS
+specification, section 9.6.1).
 """
 
 import os
@@ -18,11 +18,11 @@ from workbook.inside.proc import udp_ports_in_use
 from workbook.ros.lease_holders import LEASE_PREFIX, announce_lease, lease_holders, who_holds_them
 
 FIRST_DOMAIN = 1
-"""Domain 0 is everybody's default: a robot, or a student's own terminal, may be on it."""
+"""Domain 0 is ROS's default, so a robot or a student's own terminal may be using it."""
 LAST_DOMAIN = 101
-"""The ports of domain 102 begin at 32900, within the ephemeral range of Linux (from 32768)."""
+"""Domain 102's ports begin at 32900, which is in Linux's ephemeral range (from 32768)."""
 COOL_DOWN_S = 30.0
-"""After a kill. Other participants keep a vanished one until its liveliness lease expires; this is well above that."""
+"""The cool-down after a kill, well above the liveliness lease for which other participants remember a vanished one."""
 SOCKET_PREFIX = LEASE_PREFIX
 _private_prefix: str | None = None
 
@@ -32,13 +32,13 @@ class NoDomainFree(RuntimeError):
 
 
 def dds_port_range(domain_id: int) -> range:
-    """UDP ports that participants of a domain may use."""
+    """Return the UDP ports that a domain's participants may use."""
     start = 7400 + 250 * domain_id
     return range(start, start + 250)
 
 
 def domain_of_port(port: int) -> int | None:
-    """The ROS domain that a UDP port belongs to, or None when it is no DDS port."""
+    """Return the ROS domain that a UDP port belongs to; None if it isn't a DDS port."""
     domain_id = (port - 7400) // 250
     return domain_id if port >= 7400 and domain_id <= 232 else None
 
@@ -66,7 +66,8 @@ def _begin_cool_down(domain_id: int) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / str(domain_id)).touch()
     except OSError:
-        pass  # no writable cache: the domain is free again at once, and its stale participant expires after 2 s
+        # no writable cache, so the domain is free right away, although its stale participant expires only after 2 s
+        pass
 
 
 class DomainLease:
@@ -78,10 +79,10 @@ class DomainLease:
         self._announced = announce_lease(domain_id) if _private_prefix is None else None
 
     def release(self, killed: bool = False) -> None:
-        """Give the domain back.
+        """Release the domain.
 
-        `killed`: a program on it was killed and could not announce its end. Others would still discover its stale
-        participant, so the domain is not leased again for 30 s.
+        `killed`: a program on it was killed, so it couldn't announce its end. Other programs would still discover its
+        stale participant, so the domain isn't leased again for 30 s.
         """
         if self._holder is None:
             return
@@ -102,7 +103,7 @@ class DomainLease:
 
 
 def lease_in_private() -> None:
-    """Say nothing in the names of this process's leases: its network is its own, and untrusted programs see them."""
+    """Use random names for this process's leases. It has its own network, and untrusted programs can see the names."""
     global _private_prefix
     _private_prefix = os.urandom(8).hex()
 
@@ -118,10 +119,10 @@ def _try_lease(domain_id: int) -> DomainLease | None:
 
 
 def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> DomainLease:
-    """Lease a free domain from 1 to 101: `preferred` if it is free, one of `avoid` only if no other is.
+    """Lease a free domain from 1 to 101: `preferred` if it's free, and one of `avoid` only if no other is.
 
-    Skips domains that another process holds, that cool down after a kill, or whose ports a foreign process uses.
-    Raises NoDomainFree when none is left.
+    Skip domains that another process holds, that are cooling down after a kill, or whose ports another process uses.
+    Raise NoDomainFree if none is left.
     """
     candidates = list(range(FIRST_DOMAIN, LAST_DOMAIN + 1))
     random.shuffle(candidates)
@@ -139,7 +140,7 @@ def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> Do
 
 
 def _why_none_is_free(ports: set[int]) -> str:
-    """Who has all the domains, and what to do, as sentences."""
+    """Describe, in sentences, which processes hold the domains, and what to do."""
     holders = lease_holders()
     free = set(range(FIRST_DOMAIN, LAST_DOMAIN + 1)) - {holder.domain_id for holder in holders}
     resting = {domain_id for domain_id in free if _is_cooling_down(domain_id)}

@@ -1,8 +1,8 @@
-"""The one place where the environment of every ROS process of the workbook is decided.
+"""Set the environment variables of the workbook's ROS processes.
 
-rclpy and the message classes read these variables when they are first imported or when a context starts, so they
-must be set before. The ROS wheels restart Python once to set LD_LIBRARY_PATH; a child process may inherit that
-work only together with the variable that says it was done.
+rclpy and the message classes read these variables when they are first imported or when a context starts, so they must
+be set earlier. The ROS wheels restart Python once to set LD_LIBRARY_PATH. A child process may inherit that setting only
+together with the variable that marks it as done.
 """
 
 import os
@@ -17,7 +17,7 @@ from workbook.ros.scratch import scratch_folder
 
 LOOPBACK_PROFILE = Path(__file__).with_name("loopback.xml")
 LEASE_S = 2
-"""Liveliness lease (s) of the profile: how long others keep a participant that vanished without announcing it."""
+"""The profile's liveliness lease (s): how long other participants remember one that vanished without announcing it."""
 LOG_FORMAT = "[{severity}] [{name}]: {message}"
 
 _BOOTSTRAP_DONE = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
@@ -58,7 +58,7 @@ _log_folder: Path | None = None
 
 
 def uses_wheels() -> bool:
-    """Whether rclpy comes from the pinned wheels (and not from an apt or RoboStack installation)."""
+    """Return whether rclpy comes from the pinned wheels, not from apt or RoboStack."""
     try:
         metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -67,12 +67,12 @@ def uses_wheels() -> bool:
 
 
 def is_leftover(name: str) -> bool:
-    """Whether a variable may stem from a sourced ROS or another environment and must not reach our processes."""
+    """Return whether a variable may come from a sourced ROS or another environment. Our processes drop it."""
     return name in _LEFTOVERS or name.startswith(_LEFTOVER_PREFIXES)
 
 
 def library_path(environ: Mapping[str, str]) -> dict[str, str]:
-    """The loader variables a child may inherit: those that the wheels of this very environment have set."""
+    """Return the loader variables that a child may inherit: those that this environment's wheels have set."""
     if not environ.get(_BOOTSTRAP_DONE):
         return {}
     folders = [folder for folder in environ.get("LD_LIBRARY_PATH", "").split(":") if folder]
@@ -83,9 +83,9 @@ def library_path(environ: Mapping[str, str]) -> dict[str, str]:
 
 
 def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dict[str, str]:
-    """ROS variables for one process: loopback only, one domain, plain log lines without time stamps.
+    """Return ROS variables for a process: loopback only, one domain, and plain log lines without time stamps.
 
-    `check_fields` makes message classes refuse values of a wrong type (off in ROS by default).
+    `check_fields` makes message classes reject values of a wrong type (off in ROS by default).
     """
     settings = {
         "ROS_DOMAIN_ID": str(domain_id),
@@ -101,7 +101,7 @@ def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dic
 
 
 def own_log_folder() -> Path:
-    """The folder for ROS log files of this process; it goes when the process ends."""
+    """Return the folder for this process's ROS log files. It's removed when the process ends."""
     global _log_folder
     if _log_folder is None or not _log_folder.is_dir():
         _log_folder = scratch_folder("log")
@@ -115,9 +115,9 @@ def profile_with_lease(folder: Path, lease_s: int) -> Path:
 
 
 def profile_with_default_times(folder: Path) -> Path:
-    """Write a loopback profile into `folder` with the discovery times of Fast DDS: an announcement every 3 s.
+    """Write a loopback profile into `folder` with Fast DDS's default discovery times: an announcement every 3 s.
 
-    Without any profile, Fast DDS would use shared memory besides, and a program that is killed leaves that behind.
+    Without any profile, Fast DDS would also use shared memory, which a killed program leaves behind.
     """
     return _changed_profile(folder, r"(?s)\s*<discovery_config>.*</discovery_config>", "")
 
@@ -134,7 +134,7 @@ def _changed_profile(folder: Path, pattern: str, wanted: str) -> Path:
 def child_environment(
     domain_id: int, *, check_fields: bool = False, log_folder: Path | None = None
 ) -> dict[str, str]:
-    """A clean environment for a process that we start on `domain_id`."""
+    """Return a clean environment for a process that we start on `domain_id`."""
     folder = own_log_folder() if log_folder is None else log_folder
     if uses_wheels():
         environ = {name: os.environ[name] for name in _INHERITED if name in os.environ}
@@ -144,7 +144,7 @@ def child_environment(
             name: value for name, value in os.environ.items() if not name.startswith(("ROS_PYTHON_CHECK",))
         }
     environ |= ros_settings(domain_id, check_fields=check_fields, log_folder=folder)
-    # Otherwise NumPy and OpenCV start a thread for each processor in every node: they count as processes.
+    # Otherwise, NumPy and OpenCV start a thread per processor in every node, and these count as processes.
     environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
     environ["PYTHONUNBUFFERED"] = "1"
@@ -158,9 +158,9 @@ def prepare(
     domain_id: int | None = None,
     check_fields: bool = True,
 ) -> int:
-    """Set up this process before its first ROS import and return its domain.
+    """Set up this process before its first ROS import, and return its domain.
 
-    Without `domain_id` the process leases a domain of its own, held until it ends. Safe to call again.
+    Without `domain_id`, the process leases a domain until it ends. It's safe to call this function again.
     """
     global _kernel_lease
     environ = os.environ if environ is None else environ
@@ -176,7 +176,7 @@ def prepare(
 
 
 def is_prepared(environ: Mapping[str, str] | None = None) -> bool:
-    """Whether this process already runs with the loopback profile."""
+    """Return whether the environment (default: this process's) has the loopback profile."""
     return (os.environ if environ is None else environ).get("FASTRTPS_DEFAULT_PROFILES_FILE") == str(
         LOOPBACK_PROFILE
     )

@@ -1,4 +1,4 @@
-"""An executor that runs one callback at a time and says whether there was one."""
+"""Provide an executor that runs one callback at a time and returns whether one ran."""
 
 import os
 import sysconfig
@@ -17,13 +17,13 @@ from rclpy.executors import (
 )
 
 TAKING = ("_take_subscription", "_take_client", "_take_service")
-"""Methods of an executor of rclpy that make a message, a response or a request."""
+"""Methods of an rclpy executor that create a message, a response, or a request."""
 _INTERNAL = tuple(f"{Path(file).parent}{os.sep}" for file in (rclpy.__file__, __file__))
 _LIBRARY = (f"{sysconfig.get_paths()['stdlib']}{os.sep}", "<frozen ")
 
 
 def callback_traceback(error: BaseException) -> TracebackType | None:
-    """The traceback of `error` from the first frame on that is neither rclpy's nor the workbook's, if any."""
+    """Return the traceback of `error` from the first frame that isn't in rclpy or the workbook; None if all are."""
     trace = error.__traceback__
     while trace is not None and trace.tb_frame.f_code.co_filename.startswith(_INTERNAL):
         trace = trace.tb_next
@@ -31,16 +31,17 @@ def callback_traceback(error: BaseException) -> TracebackType | None:
 
 
 def callback_place(error: BaseException) -> str:
-    """Which callback was running, and where it was, when `error` was raised; nothing if none was."""
+    """Return the name and line of the callback in which `error` was raised; empty if it wasn't raised in one."""
     frames = traceback.extract_tb(callback_traceback(error), limit=1)
     return f"{frames[0].name}(), line {frames[0].lineno}: {frames[0].line}" if frames else ""
 
 
 def in_code_of_a_node(frame: FrameType | None) -> bool:
-    """Whether this frame of a callback, or one that called it, is of a node, and not of a library that serves it.
+    """Return whether this frame, or one of its callers, belongs to a node's callback.
 
-    The class of a message does not count while rclpy takes one: an exception there would be lost in C++, and one in
-    rclpy's own code between two callbacks would leave the callback group locked for good.
+    Libraries don't count. Nor does a message class while rclpy takes a message, because an exception there would be
+    lost in C++. Nor does rclpy's own code between two callbacks, because an exception there would leave the callback
+    group locked.
     """
     found = False
     while frame is not None and frame.f_code is not SteppingExecutor.step.__code__:
@@ -52,23 +53,23 @@ def in_code_of_a_node(frame: FrameType | None) -> bool:
 
 
 def _is_of_library(file: str) -> bool:
-    """Whether a file is rclpy's, the workbook's or of Python's standard library, which all of them call."""
+    """Return whether a file belongs to rclpy, the workbook, or Python's standard library, which both of them use."""
     return file.startswith(_INTERNAL) or (file.startswith(_LIBRARY) and "-packages" not in file)
 
 
 class SteppingExecutor(SingleThreadedExecutor):
-    """Serves the nodes of one call. `in_callback` is true while a callback is taken and run."""
+    """Runs the callbacks of one call's nodes. `in_callback` is True while a callback is taken and run."""
 
     def __init__(self, context: Context) -> None:
         super().__init__(context=context)
-        # The same object each time: rclpy then hands out what one wait has found before it waits again.
+        # Always pass the same object, so that rclpy returns all callbacks that one wait found before it waits again.
         self._timeout = TimeoutObject(0.0)
         self.in_callback = False
 
     def step(self, wait: float) -> bool:
-        """Run the next callback, waiting at most `wait` seconds for one; whether one ran.
+        """Run the next callback, waiting for it at most `wait` seconds. Return whether one ran.
 
-        Raises what the callback raises, and ExternalShutdownException when the context is shut down.
+        Raise the callback's exception, or ExternalShutdownException if the context is shut down.
         """
         self._timeout.timeout = wait
         try:
@@ -86,7 +87,7 @@ class SteppingExecutor(SingleThreadedExecutor):
         return True
 
     def close(self) -> None:
-        """Remove the nodes. A coroutine callback that still waits is canceled, and its callback group is free again."""
+        """Remove the nodes. Cancel coroutine callbacks that are still waiting, which frees their callback groups."""
         for node in self.get_nodes():
             self.remove_node(node)
             if node.executor is self:

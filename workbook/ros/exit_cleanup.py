@@ -1,11 +1,11 @@
-"""Shuts ROS down when this process exits, whatever the process forgot to shut down.
+"""Shut ROS down when this process exits, even if the program forgot to.
 
-A thread that still waits inside rclpy when Python is taken apart makes the process abort. So contexts are
-shut down first, the threads that spin are joined, and executors and nodes go while all they need exists.
+If a thread still waits inside rclpy during Python's shutdown, the process aborts. So we first shut contexts down, then
+join the spinning threads, and then destroy executors and nodes while their dependencies still exist.
 """
 
 import atexit
-import concurrent.futures.thread  # noqa: F401  (its own exit hook must be registered before ours)
+import concurrent.futures.thread  # noqa: F401  (its exit hook must be registered before ours)
 import gc
 import io
 import sys
@@ -16,23 +16,23 @@ from contextlib import suppress
 from typing import Any
 
 _JOIN_LIMIT_S = 2.0
-"""For all spinning threads together. A callback that never returns must not keep the process alive."""
+"""The longest wait for all spinning threads together. A callback that never returns must not keep the process alive."""
 _registered = False
 
 
 def register() -> None:
-    """Have `shut_down_ros` called when this process exits; once is enough."""
+    """Have `shut_down_ros` called when this process exits. It's safe to call this function again."""
     global _registered
     if _registered:
         return
     _registered = True
-    # Runs before Python waits for threads that are no daemons; the public atexit would run after that wait.
+    # This hook runs before Python waits for non-daemon threads; a public atexit hook would run only after that wait.
     before_threads = getattr(threading, "_register_atexit", atexit.register)
     before_threads(shut_down_ros)
 
 
 def _instances(*kinds: type) -> Iterable[Any]:
-    """All objects of these classes and of those made from them, out of the half million that a notebook has."""
+    """Return all instances of these classes and their subclasses, out of a notebook's half a million objects."""
     waiting = list(kinds)
     family: dict[int, type] = {}
     while waiting:
@@ -53,7 +53,7 @@ def _waits_in_rclpy(thread: threading.Thread) -> bool:
 
 
 def shut_down_ros() -> None:
-    """Shut down every context, wait for threads that spin (at most 2 s), destroy executors and nodes."""
+    """Shut down every context, wait for spinning threads (at most 2 s), and destroy executors and nodes."""
     if "rclpy" not in sys.modules:
         return
     from rclpy.context import Context
@@ -85,9 +85,9 @@ def shut_down_ros() -> None:
 
 
 def _skip_garbage_collection() -> None:
-    """Spare Python the search for cycles in what ends with the process anyway: half a second for a notebook.
+    """Skip Python's final garbage collection, which takes half a second in a notebook and frees nothing that we need.
 
-    Files that only such a cycle holds are written out first, as the search would have done.
+    Flush all files first, because that collection would have flushed those in reference cycles.
     """
     for file in _instances(io.TextIOWrapper, io.BufferedWriter, io.BufferedRandom):
         with suppress(Exception):

@@ -1,4 +1,4 @@
-"""Nodes that replace their duplicate when a cell is run again, so that no two nodes have one name."""
+"""Create nodes that replace their duplicates when a cell runs again, so that no two nodes have the same name."""
 
 import threading
 import weakref
@@ -19,7 +19,7 @@ _made: "weakref.WeakValueDictionary[_Key, Node]" = weakref.WeakValueDictionary()
 
 
 def destroy(node: Node) -> None:
-    """Take a node off its executor and out of the graph; does nothing to a destroyed one."""
+    """Remove a node from its executor and destroy it. Do nothing if it was already destroyed."""
     executor = node.executor
     if executor is not None:
         executor.remove_node(node)
@@ -30,14 +30,14 @@ def destroy(node: Node) -> None:
 
 
 def destroy_all() -> None:
-    """Destroy every node that `fresh` has made."""
+    """Destroy all nodes made with `fresh`."""
     for node in list(_made.values()):
         destroy(node)
     _made.clear()
 
 
 def nodes_in(context: Context) -> list[Node]:
-    """The nodes made by `fresh` that live in `context` and were not destroyed."""
+    """Return the nodes in `context` that were made with `fresh` and not destroyed."""
     return [node for node in _made.values() if node.context is context and context.ok() and _is_alive(node)]
 
 
@@ -60,24 +60,24 @@ def fresh(
     namespace: str | None = None,
     **kwargs: Any,
 ) -> Made:
-    """Call `make(*args, **kwargs)`, destroying first what an earlier run of the cell left under that name.
+    """Call `make(*args, **kwargs)`, and replace nodes of the same name that an earlier run of the cell made.
 
-    `make` is a node class, or a function that makes one or several nodes. `name` and `namespace` rename the
-    first node made, whether its class takes such arguments or not.
+    `make` is a node class, or a function that makes one or more nodes. `name` and `namespace` rename the first of these
+    nodes, even if its class doesn't take such arguments.
     """
     with _replacing(name, namespace) as made:
         try:
             return make(*args, **kwargs)
         except BaseException:
             for node in made:
-                if hasattr(node, "_type_description_service"):  # the last thing that Node.__init__ sets
+                if hasattr(node, "_type_description_service"):  # the last attribute that Node.__init__ sets
                     destroy(node)
             raise
 
 
 @contextmanager
 def _replacing(new_name: str | None, new_namespace: str | None) -> Iterator[list[Node]]:
-    """While this is open, a node made in this thread replaces the earlier one of the same name."""
+    """While the block runs, have each node that this thread makes replace an earlier one of the same name."""
     here = threading.get_ident()
     made: list[Node] = []
     original = Node.__init__

@@ -1,11 +1,11 @@
-"""Makes rclpy calls in a notebook cell obey the Interrupt button.
+"""Make rclpy calls in a notebook cell obey the Interrupt button.
 
-rclpy waits inside C until something happens, and an idle node never wakes it; the kernel has replaced the
-signal handler that would. Waiting in slices gives Python the chance to raise KeyboardInterrupt. And the
-kernel, not rclpy, owns SIGINT: otherwise one Interrupt also shuts down the context of all nodes.
+rclpy waits inside C until something happens. With idle nodes, nothing ends that wait, because the kernel has replaced
+the signal handler that would. Waiting in slices lets Python raise KeyboardInterrupt. The kernel, not rclpy, handles
+SIGINT. Otherwise, an Interrupt would also shut down all nodes' context.
 
-An Interrupt that comes while rclpy's C++ part makes a message would end in a RuntimeError that says nothing of it, and
-leave the callback group of the subscription locked.
+An Interrupt may arrive while rclpy's C++ part creates a message. Without our changes, it would become a RuntimeError
+that doesn't mention it, and would leave the subscription's callback group locked.
 """
 
 import functools
@@ -18,15 +18,15 @@ from rclpy.executors import Executor, TimeoutException, TimeoutObject
 from workbook.ros.executor import TAKING
 
 SLICE_S = 0.1
-"""How long Interrupt may take at most. Shorter slices would cost an idle node more processor time."""
+"""The longest delay of an Interrupt. With shorter slices, an idle node would use more CPU time."""
 
 
 _OF_AN_INTERRUPT = "Unable to convert call argument"
-"""What pybind11 makes of an exception in the class of a message: only an interrupt raises one there."""
+"""pybind11's message for an exception in a message class. Only an interrupt raises one there."""
 
 
 def install() -> None:
-    """Apply to this process, for good; safe to call again."""
+    """Change rclpy in this process permanently. It's safe to call this function again."""
     original = Executor.wait_for_ready_callbacks
     if getattr(original, "waits_in_slices", False):
         return
@@ -59,9 +59,9 @@ def install() -> None:
 
 
 def _interruptible(take: Any) -> Any:
-    """This method of an executor, which raises KeyboardInterrupt for what pybind11 makes of one.
+    """Wrap an executor's method to raise KeyboardInterrupt if pybind11 has turned one into another error.
 
-    Then it gives the callback group free, as rclpy's handler does after a callback.
+    The wrapper then also releases the callback group, as rclpy's handler does after a callback.
     """
 
     @functools.wraps(take)

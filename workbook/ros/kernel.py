@@ -1,4 +1,4 @@
-"""What a notebook kernel does once, when it starts, after the environment was prepared."""
+"""Set up ROS in a notebook kernel once, after the environment was prepared."""
 
 import os
 
@@ -7,9 +7,9 @@ from workbook.ros import exit_cleanup, interrupts, logs, notebook_registry
 
 
 def install(label: str | None = None) -> None:
-    """Logs in order, an Interrupt that works, a clean end, a domain that terminals find. Safe to repeat.
+    """Set up a kernel: ordered logs, a working Interrupt, a clean exit, a domain that terminals find. Safe to repeat.
 
-    Call `workbook.ros.environment.prepare` first: this imports rclpy.
+    Call `workbook.ros.environment.prepare` first, because this function imports rclpy.
     """
     logs.install()
     interrupts.install()

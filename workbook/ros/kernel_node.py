@@ -1,4 +1,4 @@
-"""The kernel's own hidden node. It stays as long as the kernel, so its discovery is done when it is needed."""
+"""Keep a hidden node for as long as the kernel runs, so that discovery is already complete when the node is needed."""
 
 import atexit
 import os
@@ -14,9 +14,9 @@ _node: Node | None = None
 
 
 def kernel_node() -> Node:
-    """The hidden node of this kernel, made at first use, in a context of its own. It needs no spinning.
+    """Return this kernel's hidden node, created on first use in a separate context. It needn't be spun.
 
-    It is made anew when the kernel has moved to another domain. The first call returns when discovery is complete.
+    If the kernel has moved to another domain, re-create the node. A call that creates it waits for discovery.
     """
     global _node
     domain_id = int(os.environ["ROS_DOMAIN_ID"])
@@ -43,7 +43,7 @@ def kernel_node() -> Node:
 
 
 def close_kernel_node() -> None:
-    """Destroy the hidden node and shut its context down; does nothing when there is none."""
+    """Destroy the hidden node and shut its context down. Do nothing if there is none."""
     global _node
     if _node is not None:
         context = _node.context

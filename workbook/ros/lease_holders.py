@@ -1,7 +1,7 @@
-"""Who holds the leases on ROS domains: told by the kernel where it can, so that nobody can put the blame on others.
+"""Find the holders of leases on ROS domains. We ask Linux where possible, so that no process can blame another.
 
-A holder announces its process and the moment in the name of a second abstract Unix socket. Linux knows the user of each
-socket, of those who announce nothing as well, and a process counts only as its own user's.
+A holder announces its process ID and start time in the name of a second abstract Unix socket. Linux reports each
+socket's user, even without an announcement, and an announced process counts only if it belongs to that user.
 """
 
 import os
@@ -20,7 +20,7 @@ HOLDER_PREFIX = "rclpy-workbook/holder/"
 MOST_NAMED = 4
 LONGEST_COMMAND = 60
 LONGEST_TIME = 86_400 * 365 * 100
-"""Seconds since 1970 that a holder may claim: a number beyond is no time."""
+"""The largest valid time (s since 1970) in an announcement."""
 
 NETLINK_SOCK_DIAG, SOCK_DIAG_BY_FAMILY, NLM_F_DUMP_REQUEST = 4, 20, 0x301
 NLMSG_ERROR, NLMSG_DONE = 2, 3
@@ -32,7 +32,7 @@ _PATIENCE_S = 2.0
 
 @dataclass(frozen=True, order=True)
 class Holder:
-    """Who holds the lease on a domain; what nobody tells is None, or empty. `since`: as `time.time` counts."""
+    """The holder of a domain's lease. Unknown values are None or empty. `since`: in s since 1970."""
 
     domain_id: int
     user: int | None
@@ -42,8 +42,8 @@ class Holder:
 
 
 def announce_lease(domain_id: int) -> socket.socket | None:
-    """Tell others that this process holds a domain, until the socket is closed; None where that is impossible."""
-    announced = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it never listens
+    """Announce that this process holds a domain, until the returned socket is closed; None if that's impossible."""
+    announced = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # never listens
     try:
         announced.bind(f"\0{HOLDER_PREFIX}{domain_id}/{os.getpid()}/{int(time.time())}")
     except OSError:
@@ -53,7 +53,7 @@ def announce_lease(domain_id: int) -> socket.socket | None:
 
 
 def lease_holders() -> list[Holder]:
-    """Who holds a domain of this machine now, by domain."""
+    """Return the current holders of this machine's domains, sorted by domain."""
     named = _abstract_sockets()
     owners = dict(_leases(named))
     holders = {domain_id: Holder(domain_id, user) for domain_id, user in owners.items()}
@@ -71,7 +71,7 @@ def lease_holders() -> list[Holder]:
 
 
 def who_holds_them(holders: Sequence[Holder], own: int | None = None) -> str:
-    """Who holds leases and what to do about it, as sentences. `own`: the user id of the reader, if it is not ours."""
+    """Describe, in sentences, who holds leases, and what to do. `own`: the reader's user ID (default: ours)."""
     own = os.getuid() if own is None else own
     groups = Counter((one.user, one.pid, one.command) for one in holders)
     since = {(one.user, one.pid, one.command): one.since for one in reversed(holders)}
@@ -89,7 +89,7 @@ def who_holds_them(holders: Sequence[Holder], own: int | None = None) -> str:
     advice = []
     if mine:
         numbers = " ".join(map(str, mine[:MOST_NAMED]))
-        advice.append(f"close notebooks and end graders of your own that you do not need (`kill {numbers}`)")
+        advice.append(f"close notebooks and end grading runs that you don't need (`kill {numbers}`)")
     if others:
         advice.append(f"ask {_listed(sorted(others))}, or the administrator of this machine, to end theirs")
     if not advice:
@@ -129,7 +129,7 @@ def _user(user: int | None) -> str:
 
 
 def _command(pid: int) -> str:
-    """How a process was started, in short. It is text of a stranger's."""
+    """Return the start of a process's command line. It is untrusted text."""
     said = proc.command_line(pid).replace(b"\0", b" ").decode(errors="replace").replace("`", "'")
     text = " ".join("".join(one if one.isprintable() else " " for one in said).split())
     return text if len(text) <= LONGEST_COMMAND else f"{text[: LONGEST_COMMAND - 1]}…"
@@ -147,7 +147,7 @@ def _leases(named: Sequence[tuple[str, int | None]]) -> Iterator[tuple[int, int 
 
 
 def _abstract_sockets() -> list[tuple[str, int | None]]:
-    """Name and user of the abstract sockets of this machine that are ours by their names."""
+    """Return the name and user of each abstract socket on this machine whose name has one of our prefixes."""
     try:
         found = [*_asked_of_the_kernel()]
     except (OSError, struct.error):
@@ -156,7 +156,7 @@ def _abstract_sockets() -> list[tuple[str, int | None]]:
 
 
 def _asked_of_the_kernel() -> Iterator[tuple[str, int | None]]:
-    """Name and user of every abstract socket. See sock_diag(7); kernels before 5.3 name no user. Raises OSError."""
+    """Yield each abstract socket's name and user (None before Linux 5.3). See sock_diag(7). May raise OSError."""
     request = struct.pack(
         "=BBHIIIQ", socket.AF_UNIX, 0, 0, _ALL_STATES, 0, UDIAG_SHOW_NAME | UDIAG_SHOW_UID, 0
     )

@@ -1,8 +1,8 @@
-"""ROS log lines that stand between the prints where they belong.
+"""Print ROS log lines in the right order with other output.
 
-rclpy itself writes a log line to the stderr of the process, behind Python's back: a notebook shows it late,
-in another order each time, and not at all under pytest. Here the line of a Python logger is printed by
-Python, while /rosout gets it from ROS as always. Log lines of the C libraries keep their way to stderr.
+rclpy writes log lines to the process's stderr, bypassing Python. A notebook shows them late and in varying order, and
+pytest doesn't show them at all. With this module, Python prints the lines of Python loggers, while ROS still sends them
+to /rosout. Log lines from the C libraries still go to stderr.
 """
 
 import ctypes
@@ -17,7 +17,7 @@ _COLORS = {10: "38;2;120;120;120", 30: "38;2;176;106;0", 40: "38;2;220;59;59", 5
 
 
 def format_line(severity: int, name: str, message: str) -> str:
-    """One log line without a time stamp; the word of a level other than INFO has a color."""
+    """Format a log line without a time stamp. Levels other than INFO are colored."""
     level = _LEVELS.get(severity, str(severity))
     if severity in _COLORS:
         level = f"\x1b[{_COLORS[severity]}m{level}\x1b[0m"
@@ -25,7 +25,7 @@ def format_line(severity: int, name: str, message: str) -> str:
 
 
 class _Rosout:
-    """Sends log lines of this thread to /rosout only, for as long as it is entered."""
+    """A context manager that sends log lines only to /rosout."""
 
     def __init__(self) -> None:
         rcutils = ctypes.CDLL(_library("rcutils"))
@@ -54,9 +54,9 @@ def _library(name: str) -> str:
 
 
 def install() -> bool:
-    """Print the lines of Python loggers from now on; safe to call again.
+    """Print the lines of Python loggers from now on. It's safe to call this function again.
 
-    Returns False, and leaves logging as it is, where the ROS libraries do not offer what is needed.
+    Return False, without changing anything, if the ROS libraries lack a required function.
     """
     original = _rclpy.rclpy_logging_rcutils_log
     if getattr(original, "prints_lines", False):

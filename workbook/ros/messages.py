@@ -1,19 +1,19 @@
-"""Message and service classes by name."""
+"""Find message and service classes by name."""
 
 import importlib
 from typing import Any
 
 
 def message_class(type_name: str) -> Any:
-    """The class of a message type such as "std_msgs/msg/String".
+    """Return the class of a message type such as "std_msgs/msg/String".
 
-    Raises ValueError for a name of another form, LookupError when the type is not installed.
+    Raise ValueError if the name has another form, and LookupError if the type isn't installed.
     """
     return _interface(type_name, "msg", "a message type; one looks like std_msgs/msg/String")
 
 
 def service_class(type_name: str) -> Any:
-    """The class of a service type such as "std_srvs/srv/Trigger". Raises as `message_class` does."""
+    """Return the class of a service type such as "std_srvs/srv/Trigger". Errors are as in `message_class`."""
     return _interface(type_name, "srv", "a service type; one looks like std_srvs/srv/Trigger")
 
 

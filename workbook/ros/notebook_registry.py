@@ -1,7 +1,7 @@
-"""The registry of open notebooks: which there are on this machine, and on which domain.
+"""Register open notebooks, and list those on this machine with their domains.
 
-An open notebook holds an abstract Unix socket whose name says it all. Linux lists these names in
-/proc/net/unix and removes them with their holder, so nothing stale can be found.
+An open notebook holds an abstract Unix socket whose name contains all data. Linux lists these names in /proc/net/unix
+and removes them when the process ends, so there are no stale entries.
 """
 
 import os
@@ -14,14 +14,14 @@ from workbook.inside import proc
 
 SOCKET_PREFIX = "rclpy-workbook/kernel/"
 _LONGEST_NAME = 100
-"""Characters; Linux takes 107 bytes after the zero byte of an abstract socket's name."""
+"""In characters. Linux allows 107 bytes after the zero byte of an abstract socket's name."""
 
 _announced: socket.socket | None = None
 
 
 @dataclass(frozen=True, order=True)
 class OpenNotebook:
-    """A running kernel: its domain, its process and the name of its notebook."""
+    """A running kernel: its notebook's name, its domain, and its process ID."""
 
     label: str
     domain_id: int
@@ -29,17 +29,17 @@ class OpenNotebook:
 
 
 def notebook_label() -> str:
-    """The file name of this kernel's notebook, as far as Jupyter tells. An exercise says that it is one."""
+    """Return the name of this kernel's notebook, if Jupyter reports it. An exercise's label begins with "exercise"."""
     path = Path(os.environ.get("JPY_SESSION_NAME", ""))
     return f"exercise {path.stem}" if path.parent.name == "exercises" else path.stem or "notebook"
 
 
 def announce(domain_id: int, label: str | None = None) -> None:
-    """Register this process as an open notebook on `domain_id` until it ends; does nothing where that is impossible."""
+    """Register this process as an open notebook on `domain_id` until it ends. Do nothing if that's impossible."""
     global _announced
     withdraw()
     name = f"{SOCKET_PREFIX}{domain_id}/{os.getpid()}/{quote(label or notebook_label(), safe='')}"
-    holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it never listens
+    holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # never listens
     try:
         holder.bind("\0" + name[:_LONGEST_NAME])
     except OSError:
@@ -68,13 +68,13 @@ def _is_mine(pid: int) -> bool:
 
 
 def open_notebooks(table: str = proc.UNIX_SOCKETS) -> list[OpenNotebook]:
-    """The notebooks that this user has open now, by name."""
+    """Return this user's open notebooks, sorted by name."""
     names = {name for name in proc.unix_socket_names(table) if f"@{SOCKET_PREFIX}" in name}
     found = [notebook for notebook in map(_parse, names) if notebook is not None]
     return sorted(notebook for notebook in found if _is_mine(notebook.pid))
 
 
 def join_line(domain_id: int | None = None) -> str:
-    """The line that makes a terminal with a real ROS 2 installation see this notebook's robot."""
+    """Return a shell command that connects a terminal with a ROS 2 installation to this notebook's domain."""
     domain = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else domain_id
     return f"export ROS_DOMAIN_ID={domain} ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"

@@ -1,4 +1,4 @@
-"""Temporary folders that do not outlive the process that asked for them."""
+"""Create temporary folders that are removed when the process ends."""
 
 import atexit
 import os
@@ -24,7 +24,7 @@ def _is_running(pid: int) -> bool:
 
 
 def sweep_scratch() -> None:
-    """Remove folders left by processes that were killed before they could clean up."""
+    """Remove the folders of processes that were killed before they could clean up."""
     for folder in Path(tempfile.gettempdir()).glob(f"{_prefix()}*"):
         pid = folder.name.removeprefix(_prefix()).split("-")[0]
         if pid.isdigit() and not folder.is_symlink() and not _is_running(int(pid)):
@@ -32,7 +32,7 @@ def sweep_scratch() -> None:
 
 
 def remove_scratch(folder: Path) -> None:
-    """Remove a folder made by `scratch_folder`, however deep or closed a program has made it."""
+    """Remove a folder made by `scratch_folder`, even if a program has nested it deeply or removed permissions."""
     with suppress(RecursionError):
         shutil.rmtree(folder, ignore_errors=True)
     if folder.is_dir() and not folder.is_symlink():
@@ -41,7 +41,7 @@ def remove_scratch(folder: Path) -> None:
 
 
 def scratch_folder(purpose: str) -> Path:
-    """Make a private folder that is removed when this process ends (or by the next one, if it is killed)."""
+    """Create a private folder, and remove it when this process ends. After a kill, the next call removes it."""
     sweep_scratch()
     folder = Path(tempfile.mkdtemp(prefix=f"{_prefix()}{os.getpid()}-{purpose}-"))
     atexit.register(_remove_in, os.getpid(), folder)

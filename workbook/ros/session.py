@@ -1,4 +1,4 @@
-"""What a lesson cell uses: start and stop ROS, let nodes run, all in the one thread of the notebook."""
+"""Start and stop ROS and run nodes from lesson cells, all in the notebook's single thread."""
 
 import asyncio
 import inspect
@@ -30,21 +30,21 @@ from workbook.ros.executor import (
 from workbook.ros.fresh_nodes import fresh as fresh
 
 LONGEST_WAIT_S = 0.02
-"""In the wait set, with nothing else to do: short enough for widgets that Jupyter hears of meanwhile."""
+"""The longest wait in the wait set if nothing else is ready: short enough for Jupyter's widgets."""
 SHORTEST_WAIT_S = 0.0005
-"""In the wait set, while other tasks of the event loop are ready."""
+"""The wait in the wait set while other tasks of the event loop are ready."""
 LONGEST_ITERATION_S = 0.005
-"""Callbacks in a row before the event loop has its turn again."""
+"""How long callbacks may run in a row before the event loop gets its turn."""
 CALLBACK_TIME_PER_FRAME = 3.0
-"""After each picture only callbacks run, for so many times as long as drawing it took."""
+"""After each frame, only callbacks run, for this many times as long as drawing the frame took."""
 _SYNC_WAIT_S = 0.05
-"""In the wait set, in code without `await`: nothing else is waiting."""
+"""The wait in the wait set in code without `await`, where nothing else is waiting."""
 
 Condition = Callable[[], object] | Future | None
 
 
 class _ShownAsSentence:
-    """An exception of which a notebook shows only the sentence."""
+    """An exception that a notebook shows as a sentence, without a traceback."""
 
     def _render_traceback_(self) -> list[str]:
         return [f"■ {self}"]
@@ -59,22 +59,22 @@ class StoppedInBetween(_ShownAsSentence, KeyboardInterrupt):
 
 
 def init(args: list[str] | None = None) -> None:
-    """Start ROS in this notebook; does nothing when it runs already.
+    """Start ROS in this notebook. Do nothing if it's already running.
 
-    In a plain Python, which no kernel has set up, its traffic stays on this machine as well. Nor is anything left in
-    `/dev/shm` then if it is killed.
+    In plain Python, without the kernel's setup, this function also sets the environment. So traffic stays on this
+    machine, and a killed process leaves nothing in `/dev/shm`.
     """
     exit_cleanup.register()
     if get_default_context().ok():
         return
     if not is_prepared():
         prepare()
-    try_shutdown()  # forget a context that something else has shut down
+    try_shutdown()  # clear a context that something else has shut down
     rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
 
 
 def shutdown() -> None:
-    """Destroy the nodes made with `fresh` and stop ROS in this notebook; does nothing when it is stopped."""
+    """Destroy the nodes made with `fresh` and stop ROS in this notebook. Do nothing if it's already stopped."""
     fresh_nodes.destroy_all()
     try_shutdown()
 
@@ -113,7 +113,7 @@ def _check(nodes: list[Node]) -> None:
 
 @contextmanager
 def serving(*nodes: Node | Iterable[Node]) -> Iterator[SteppingExecutor]:
-    """A private executor for `nodes`; afterwards each node is back with the executor that had it before."""
+    """Yield a private executor for `nodes`. Afterward, return each node to its former executor."""
     served = _flatten(nodes)
     _check(served)
     former = [(node, node.executor) for node in served]
@@ -130,7 +130,7 @@ def serving(*nodes: Node | Iterable[Node]) -> Iterator[SteppingExecutor]:
 
 
 class _Interrupts:
-    """Turns Interrupt into a flag, and inside of a callback into KeyboardInterrupt."""
+    """Turns an Interrupt into a flag and, inside of a callback, into KeyboardInterrupt."""
 
     def __init__(self, executor: SteppingExecutor) -> None:
         self._executor = executor
@@ -154,7 +154,7 @@ class _Interrupts:
 
 
 class _SpinRun:
-    """One call of run or spin_for: when it ends, and what it says then."""
+    """The state of one call of `run` or `spin_for`: when it ends, and its result or message."""
 
     def __init__(self, executor: SteppingExecutor, seconds: float | None, until: Condition) -> None:
         self.executor = executor
@@ -168,23 +168,25 @@ class _SpinRun:
         self.start = time.monotonic()
         self.end = self.start + self.seconds
         self.shut_down = False
+        self._was_reached = False
 
     def reached(self) -> bool:
-        if self.until is None:
-            return False
-        if isinstance(self.until, Future):
-            return bool(self.until.done() or self.until.cancelled())
-        return bool(self.until())
+        """Return whether the condition has become true. Then it isn't evaluated again, because it might turn false."""
+        if not self._was_reached and self.until is not None:
+            until = self.until
+            done = until.done() or until.cancelled() if isinstance(until, Future) else until()
+            self._was_reached = bool(done)
+        return self._was_reached
 
     def over(self) -> bool:
         return self.shut_down or self.reached() or time.monotonic() >= self.end
 
     def iteration(self, until: float, longest_wait: float) -> None:
-        """Wait for a callback, then run what is ready for a few milliseconds."""
+        """Wait for a callback, then run all ready callbacks for a few milliseconds."""
         started = time.monotonic()
         wait_end = min(until, started + longest_wait, self.end)
         try:
-            # At least one step: pictures that take longer than their time must not keep messages out for good.
+            # Run at least one step, so that slow frames can't block messages forever.
             while self.executor.step(max(0.0, wait_end - time.monotonic())):
                 if (
                     self.interrupts.requested
@@ -217,14 +219,14 @@ async def run(
     each_frame: Callable[[], object] | None = None,
     fps: float = 15.0,
 ) -> Any:
-    """Let nodes run for `seconds` s of real time, or until a condition holds; buttons and Stop keep working.
+    """Run nodes for `seconds` s of real time, or until a condition is true. Buttons and Stop keep working.
 
-    `until` is a function that is called after each callback, or a Future, whose result is then returned;
-    `seconds` is the limit. `seconds=None` runs until Stop is pressed. `each_frame` is called `fps` times a
-    second and once at the end; what it returns is awaited if it can be. Where that takes long, it is called less often:
-    at most a quarter of the time goes into pictures, the rest belongs to the nodes.
+    `until` is a function that is called after each callback, or a Future whose result is returned; `seconds` is the
+    limit. With `seconds=None`, nodes run until Stop is pressed. `each_frame` is called `fps` times a second and once at
+    the end; an awaitable result is awaited. If frames are slow, `each_frame` is called less often, so that at least
+    three quarters of the time remain for callbacks.
 
-    Raises what a callback raises, TimeoutError when `until` did not come true, Stopped on Interrupt.
+    Raise a callback's exception, TimeoutError if `until` didn't become true, or Stopped on Interrupt.
     """
     __tracebackhide__ = True
     with serving(*nodes) as executor:
@@ -255,7 +257,7 @@ async def run(
 
 
 def _free_time() -> float:
-    """How long (s) this iteration may wait without holding up widgets and other tasks of the notebook."""
+    """Return how long (s) this iteration may wait without delaying widgets and other tasks of the notebook."""
     loop = asyncio.get_running_loop()
     ready = getattr(loop, "_ready", None)
     timers = getattr(loop, "_scheduled", None)
@@ -280,16 +282,15 @@ async def live(
     fps: float = 15.0,
     until: Condition = None,
 ) -> Any:
-    """`run` with a picture: calls `each_frame` `fps` times a second."""
+    """Call `run` with a live view: `each_frame` is called `fps` times per second."""
     __tracebackhide__ = True
     return await run(*nodes, seconds=seconds, until=until, each_frame=each_frame, fps=fps)
 
 
 def spin_for(*nodes: Node | Iterable[Node], seconds: float = 1.0, until: Condition = None) -> Any:
-    """Like `run`, for code without `await`: nothing else happens in the notebook meanwhile.
+    """Run nodes as `run` does, but in code without `await`: nothing else happens in the notebook in the meantime.
 
-    Raises what a callback raises, TimeoutError when `until` did not come true, KeyboardInterrupt on
-    Interrupt.
+    Raise a callback's exception, TimeoutError if `until` didn't become true, or KeyboardInterrupt on Interrupt.
     """
     __tracebackhide__ = True
     with serving(*nodes) as executor:

@@ -1,4 +1,4 @@
-"""Small tables that read well in a terminal and in a notebook, light or dark."""
+"""Format small tables for terminals and for notebooks, light or dark."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from workbook.templating import render
 
 @dataclass(frozen=True)
 class Table:
-    """Rows under a header; `empty` is what to say when there is none."""
+    """Rows below a header. `empty` is shown if there are none."""
 
     title: str
     header: tuple[str, ...]
@@ -16,7 +16,7 @@ class Table:
     empty: str
 
     def text(self, columns: int | None = None) -> str:
-        """Aligned columns; where the terminal has too few `columns` for them, a row is a few lines."""
+        """Return the table as aligned text. If the terminal has too few `columns`, each row takes several lines."""
         if not self.rows:
             return self.empty
         lines = [self.header, *self.rows]
@@ -29,7 +29,7 @@ class Table:
         )
 
     def _below_each_other(self) -> str:
-        """Each row as a first line and, indented below it, what stands in its other columns."""
+        """Return each row as a line with its first cell and, indented below it, its other cells."""
         wide = max(map(len, self.header[1:]))
         lines = []
         for first, *rest in self.rows:
@@ -39,12 +39,12 @@ class Table:
         return "\n".join(lines)
 
     def html(self) -> str:
-        """An HTML table without colors of its own."""
+        """Return an HTML table that sets no colors."""
         return render("ros/table", table=self)
 
 
 class Shown:
-    """Something a notebook shows as tables and a terminal as text."""
+    """An object that a notebook shows as tables and a terminal as text."""
 
     def _tables(self) -> Sequence[Table]:
         raise NotImplementedError
@@ -56,7 +56,7 @@ class Shown:
         return render("ros/tables", tables=self._tables(), notes=self._notes())
 
     def text(self, columns: int | None = None) -> str:
-        """The tables for a terminal that has so many `columns`."""
+        """Return the tables as text for a terminal with this many `columns`."""
         tables = self._tables()
         if len(tables) == 1:
             parts = [tables[0].text(columns)]

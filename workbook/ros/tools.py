@@ -1,9 +1,8 @@
-"""The ROS graph as data, for a notebook or a terminal: what the `ros2` command prints.
+"""Read the ROS graph as data, for a notebook or a terminal, like the `ros2` command.
 
-Each function reads the domain of this notebook unless `domain` says otherwise, sees nodes of this kernel and
-of other processes, and returns plain data that shows itself as text and as an HTML table. Hidden things (names
-that begin with an underscore, /rosout, /parameter_events, parameter services) are left out unless
-`hidden=True`.
+Each function reads this notebook's domain, or another `domain`, and includes nodes of this kernel and of other
+processes. It returns plain data that notebooks show as an HTML table and terminals as text. Hidden entries (names that
+begin with an underscore, /rosout, /parameter_events, parameter services) are left out unless `hidden=True`.
 """
 
 from collections.abc import Callable, Iterable
@@ -32,7 +31,7 @@ _NODE_SERVICES = (
 
 
 class NotFound(LookupError):
-    """No node or topic of that name is there. The message lists what is."""
+    """No node or topic has that name. The message lists the existing ones."""
 
 
 class TopicSummary(NamedTuple):
@@ -45,7 +44,7 @@ class TopicSummary(NamedTuple):
 
 
 class Endpoint(NamedTuple):
-    """A publisher or a subscriber of a topic. `reliability` and `durability` in words."""
+    """A topic's publisher or subscription. QoS values are text, such as "best effort" or "0.5 s"."""
 
     node: str
     type: str
@@ -55,7 +54,7 @@ class Endpoint(NamedTuple):
 
 
 class Edge(NamedTuple):
-    """One arrow of the graph: `role` is "publishes" or "subscribes"."""
+    """An arrow of the graph. `role` is "publishes" or "subscribes"."""
 
     node: str
     role: str
@@ -63,7 +62,7 @@ class Edge(NamedTuple):
 
 
 class Broken(NamedTuple):
-    """A publisher and a subscriber of a topic between which nothing arrives, and the reason as a sentence."""
+    """A topic's publisher and subscription that can't exchange messages, and the reason as a sentence."""
 
     topic: str
     writer: str
@@ -72,7 +71,7 @@ class Broken(NamedTuple):
 
 
 class NodeList(Shown, tuple[str, ...]):
-    """Fully qualified node names, sorted; a duplicate name is there twice."""
+    """Fully qualified node names, sorted. A name appears once for each node that has it."""
 
     def _tables(self) -> list[Table]:
         rows = []
@@ -82,7 +81,7 @@ class NodeList(Shown, tuple[str, ...]):
         return [Table("Nodes", ("node",), tuple(rows), "No nodes.")]
 
     def text(self, columns: int | None = None) -> str:
-        """One name a line."""
+        """Return one name per line."""
         table = self._tables()[0]
         return "\n".join(row[0] for row in table.rows) or table.empty
 
@@ -94,7 +93,7 @@ class TopicList(Shown, tuple[TopicSummary, ...]):
 
     @property
     def names(self) -> list[str]:
-        """The names alone."""
+        """The topics' names."""
         return [topic.name for topic in self]
 
     def _tables(self) -> list[Table]:
@@ -106,7 +105,7 @@ class TopicList(Shown, tuple[TopicSummary, ...]):
 
 @dataclass(frozen=True, repr=False)
 class NodeInfo(Shown):
-    """What one node does: pairs of a topic or service name and its type."""
+    """A node's topics and services, as pairs of name and type."""
 
     name: str
     publishes: tuple[tuple[str, str], ...]
@@ -122,12 +121,19 @@ class NodeInfo(Shown):
             ("calls", self.calls),
         ]
         rows = tuple((role, name, kind) for role, pairs in parts for name, kind in pairs)
-        return [Table(f"Node {self.name}", ("does", "name", "type"), rows, f"{self.name} talks to nobody.")]
+        return [
+            Table(
+                f"Node {self.name}",
+                ("does", "name", "type"),
+                rows,
+                f"{self.name} exchanges messages with no other node.",
+            )
+        ]
 
 
 @dataclass(frozen=True, repr=False)
 class TopicInfo(Shown):
-    """Who publishes and who subscribes to a topic, with their QoS. `problems` names incompatible pairs."""
+    """A topic's publishers and subscriptions, with their QoS. `problems` describes incompatible pairs."""
 
     name: str
     types: tuple[str, ...]
@@ -140,7 +146,7 @@ class TopicInfo(Shown):
         rows = [("publishes", *endpoint) for endpoint in self.publishers]
         rows += [("subscribes", *endpoint) for endpoint in self.subscribers]
         title = f"Topic {self.name}"
-        return [Table(title, header, tuple(rows), f"Nobody publishes or subscribes to {self.name}.")]
+        return [Table(title, header, tuple(rows), f"No node publishes or subscribes to {self.name}.")]
 
     def _notes(self) -> list[str]:
         return [f"✗ {problem}" for problem in self.problems]
@@ -148,9 +154,9 @@ class TopicInfo(Shown):
 
 @dataclass(frozen=True, repr=False)
 class Graph(Shown):
-    """Nodes, topics with their types, and the arrows between them; all sorted.
+    """Nodes, topics with their types, and the arrows between them, all sorted.
 
-    `broken`: pairs of a publisher and a subscriber between which nothing can arrive.
+    `broken`: pairs of a publisher and a subscription that can't exchange messages.
     """
 
     nodes: tuple[str, ...]
@@ -177,7 +183,10 @@ class Graph(Shown):
         return [f"✗ {one.topic}: {one.reason}" for one in self.broken]
 
     def text(self, columns: int | None = None) -> str:
-        """One arrow a line; where that does not fit, the type stands below it. Then why arrows are broken."""
+        """Return one topic per line, with its type below it if the line is too long.
+
+        The reasons for broken arrows follow.
+        """
         (table,) = self._tables()
         text = table.text()
         if columns is not None and max(map(len, text.splitlines())) > columns:
@@ -189,7 +198,7 @@ class Graph(Shown):
 
 
 def fully_qualified_name(name: str, namespace: str) -> str:
-    """A node's name with its namespace, "/arm/gripper"."""
+    """Return a node's name with its namespace, such as "/arm/gripper"."""
     return f"{namespace.rstrip('/')}/{name}"
 
 
@@ -251,7 +260,7 @@ def _endpoint(info: Any) -> Endpoint:
 
 
 def not_found(kind: str, name: str, known: Iterable[str]) -> NotFound:
-    """The error for a name that is not there, with the most similar one that is."""
+    """Return the error for a missing name, with the most similar existing one."""
     names = sorted(set(known))
     if not names:
         return NotFound(f"There is no {kind} {name}, nor any other. Is a node running?")
@@ -261,19 +270,19 @@ def not_found(kind: str, name: str, known: Iterable[str]) -> NotFound:
 
 
 def absolute(name: str) -> str:
-    """A node or topic name with its leading slash."""
+    """Return a node or topic name with its leading slash."""
     return "/" + name.strip("/")
 
 
 def node_list(*, hidden: bool = False, domain: int | None = None) -> NodeList:
-    """All nodes, by fully qualified name."""
+    """Return all nodes' fully qualified names, sorted."""
     with discovery_node(domain) as node:
         wait_for_graph(node)
         return NodeList(_nodes(node, hidden))
 
 
 def node_info(name: str, *, hidden: bool = False, domain: int | None = None) -> NodeInfo:
-    """What one node publishes, subscribes, serves and calls. Raises NotFound."""
+    """Return a node's topics and services. Raise NotFound if there is no such node."""
     name = absolute(name)
     namespace, _, base = name.rpartition("/")
     with discovery_node(domain) as node:
@@ -298,7 +307,7 @@ def node_info(name: str, *, hidden: bool = False, domain: int | None = None) -> 
 
 
 def topic_list(types: bool = True, *, hidden: bool = False, domain: int | None = None) -> TopicList:
-    """All topics, with their types and how many publish and subscribe."""
+    """Return all topics, with types and numbers of publishers and subscriptions. `types=False` displays only names."""
     with discovery_node(domain) as node:
         wait_for_graph(node)
         found = TopicList(topics_seen(node, hidden))
@@ -307,7 +316,7 @@ def topic_list(types: bool = True, *, hidden: bool = False, domain: int | None =
 
 
 def topics_seen(node: Node, hidden: bool = False) -> list[TopicSummary]:
-    """The topics that `node` knows now, without those that only `node` itself uses."""
+    """Return the topics that `node` has discovered, without those that only `node` itself uses."""
     topics = []
     for name, kinds in _topics(node, hidden).items():
         publishers, subscribers = _publishers(node, name, hidden), _subscribers(node, name, hidden)
@@ -317,7 +326,7 @@ def topics_seen(node: Node, hidden: bool = False) -> list[TopicSummary]:
 
 
 def topic_info(topic: str, *, hidden: bool = False, domain: int | None = None) -> TopicInfo:
-    """Who publishes and subscribes to a topic, with which QoS, and which pairs are incompatible. Raises NotFound."""
+    """Return a topic's publishers and subscriptions, QoS, and incompatible pairs. Raise NotFound if it has neither."""
     topic = absolute(topic)
     with discovery_node(domain) as node:
         wait_for_graph(node)
@@ -356,14 +365,14 @@ def _clash(writer: Endpoint, reader: Endpoint) -> str:
 
 
 def graph(*, hidden: bool = False, domain: int | None = None) -> Graph:
-    """The whole graph: nodes, topics, and who publishes and subscribes to what."""
+    """Return the whole graph: nodes, topics, and the arrows between them."""
     with discovery_node(domain) as node:
         wait_for_graph(node)
         return graph_seen(node, hidden)
 
 
 def graph_seen(node: Node, hidden: bool = False) -> Graph:
-    """The graph as `node` knows it now, without `node` itself."""
+    """Return the graph as `node` has discovered it, without `node` itself."""
     edges = []
     for name in _topics(node, hidden):
         for role, infos in (("publishes", _publishers), ("subscribes", _subscribers)):

@@ -1,4 +1,4 @@
-"""Monitors one topic: its messages (`topic_echo`) and their rate (`topic_hz`)."""
+"""Monitor a topic: its messages (`topic_echo`) and their rate (`topic_hz`)."""
 
 import itertools
 import statistics
@@ -19,17 +19,17 @@ from workbook.ros.tables import Shown, Table
 OnSilence = Callable[[Sequence[str]], None]
 _CLOCK = "/clock"
 _SILENT_S = 1.0
-"""A published topic without a message for so long (s) may wait for a clock."""
+"""If a published topic has no message for this long (s), its publisher may be waiting for /clock."""
 _QUEUE = 100
-"""Depth of the subscription's queue: a second of a topic at 100 Hz may wait while a cell draws."""
+"""The subscription's queue depth: enough for a second of messages at 100 Hz while a cell draws."""
 _POLL_S = 0.02
 _LONGEST_LIST = 32
-"""Elements of a list that are shown. More would bury the other fields."""
+"""How many elements of a list are shown. More would bury the other fields."""
 
 
 @dataclass(frozen=True, repr=False)
 class Echo:
-    """Messages of a topic in the order of arrival; `times` (s) count from the first one."""
+    """A topic's messages in the order of arrival. `times` (s) count from the first one."""
 
     topic: str
     type: str
@@ -52,7 +52,7 @@ class Echo:
 
 @dataclass(frozen=True, repr=False)
 class Rate(Shown):
-    """How often messages came: arrivals in `seconds` s, mean rate (Hz) and gaps (s) between consecutive messages."""
+    """A topic's rate: messages in `seconds` s, mean rate (Hz), and gaps (s) between messages; None without a gap."""
 
     topic: str
     count: int
@@ -65,7 +65,7 @@ class Rate(Shown):
     """Nodes that publish it, and wait for /clock."""
 
     def line(self) -> str:
-        """The mean rate, how many messages it is from, and the shortest and longest gap."""
+        """Describe the mean rate, the number of messages, and the shortest and longest gap in a line."""
         if self.mean_hz is None:
             return f"{self.count or 'no'} message{'' if self.count == 1 else 's'} yet: no rate"
         return (
@@ -91,16 +91,16 @@ class Rate(Shown):
 
 
 def clock_notes(held: Iterable[str]) -> list[str]:
-    """A sentence for each node that waits for /clock: why nothing comes from it, and what to do."""
+    """Return sentences for each node that waits for /clock: why it publishes nothing, and what to do."""
     return [
-        f"{node} uses simulated time (use_sim_time), but nobody publishes {_CLOCK}. So its timers wait. "
+        f"{node} uses simulated time (use_sim_time), but no node publishes {_CLOCK}. So its timers wait. "
         "Start it without use_sim_time."
         for node in held
     ]
 
 
 def _held_by_the_clock(node: Node, topic: str) -> tuple[str, ...]:
-    """The nodes that publish a topic and follow /clock, while nobody publishes that."""
+    """Return the nodes that publish a topic and wait for /clock, which no node publishes."""
     if node.count_publishers(_CLOCK):
         return ()
     writers, followers = (
@@ -111,7 +111,7 @@ def _held_by_the_clock(node: Node, topic: str) -> tuple[str, ...]:
 
 
 def message_text(value: Any, indent: str = "") -> str:
-    """A message as indented `field: value` lines; long lists are cut."""
+    """Format a message as indented `field: value` lines. Long lists are cut."""
     lines = []
     for name in value.get_fields_and_field_types():
         item = getattr(value, name)
@@ -150,7 +150,7 @@ def _number(part: Any) -> Any:
 
 
 def _matching_qos(node: Node, topic: str) -> QoSProfile:
-    """QoS that is compatible with every publisher of the topic; transient local where all of them offer that."""
+    """Return a QoS that is compatible with all of the topic's publishers: transient local if all of them offer that."""
     offered = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
     reliable = bool(offered) and all(qos.reliability == ReliabilityPolicy.RELIABLE for qos in offered)
     keeps = bool(offered) and all(qos.durability == DurabilityPolicy.TRANSIENT_LOCAL for qos in offered)
@@ -163,7 +163,10 @@ def _matching_qos(node: Node, topic: str) -> QoSProfile:
 
 @dataclass(frozen=True)
 class _Source:
-    """A topic, its domain (None: this notebook's), and the nodes that run meanwhile (None: all made with `fresh`)."""
+    """A topic, its domain, and the nodes to run in the meantime.
+
+    None stands for this notebook's domain, and for all nodes made with `fresh`.
+    """
 
     topic: str
     domain: int | None
@@ -171,7 +174,7 @@ class _Source:
 
 
 class _Heard(NamedTuple):
-    """The type of a topic, (moment, message) in the order of arrival, and who waits for /clock if nothing came."""
+    """A topic's type, its (moment, message) pairs in order, and, if there are none, the nodes that wait for /clock."""
 
     type: str
     arrivals: list[tuple[float, Any]]
@@ -188,7 +191,7 @@ def _collect(
     on_silence: OnSilence | None = None,
     on_held: OnSilence = lambda nodes: None,
 ) -> _Heard:
-    """Collect (moment, message) on a topic until `enough` says so or `timeout` s have passed."""
+    """Collect a topic's (moment, message) pairs until `enough` returns True or `timeout` s have passed."""
     topic = tools.absolute(source.topic)
     arrivals: list[tuple[float, Any]] = []
 
@@ -239,11 +242,11 @@ def topic_echo(
     on_silence: OnSilence | None = None,
     on_held: OnSilence = lambda nodes: None,
 ) -> Echo:
-    """Listen to a topic for `count` messages, at most `timeout` s; `count=None` listens all the time.
+    """Receive up to `count` messages on a topic (None: all of them), for at most `timeout` s.
 
-    Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`: called once, with the topics that are
-    published, when nobody publishes this one at first. `on_held`: called once, with the nodes that publish it, when
-    these wait for /clock. Raises NotFound when nobody publishes it until the end.
+    In the meantime, the nodes made with `fresh` run (or those in `nodes`). `on_silence`: called once with the published
+    topics if no node publishes this topic at first. `on_held`: called once with the topic's publishing nodes if they
+    wait for /clock. Raise NotFound if no node has published the topic by the end.
     """
 
     def enough(arrivals: list[tuple[float, Any]]) -> bool:
@@ -274,11 +277,11 @@ def topic_hz(
     on_held: OnSilence = lambda nodes: None,
     on_look: Callable[[Sequence[float]], None] = lambda times: None,
 ) -> Rate:
-    """Measure how often messages come on a topic, over `seconds` s from the first one on.
+    """Measure the rate of messages on a topic over `seconds` s, beginning with the first one.
 
-    Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`, `on_held`: see `topic_echo`.
-    `on_look`: called again and again, with the moments (s) of all messages so far. Raises NotFound when nobody
-    publishes it.
+    In the meantime, the nodes made with `fresh` run (or those in `nodes`). `on_silence`, `on_held`: see `topic_echo`.
+    `on_look`: called repeatedly with the moments (s) of all messages so far. Raise NotFound if no node publishes the
+    topic.
     """
     times: list[float] = []
 
@@ -296,7 +299,7 @@ def topic_hz(
 
 
 def rate_of(topic: str, times: Sequence[float], seconds: float) -> Rate:
-    """The rate of messages that arrived at `times` (s), listened to for `seconds`."""
+    """Compute the rate from the arrival `times` (s) of messages during `seconds` s."""
     gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
     if not gaps:
         return Rate(topic, len(times), seconds, None, None, None, None)

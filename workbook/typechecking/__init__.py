@@ -1,4 +1,4 @@
-"""What mypy says of an answer and of probes that use it, in a process that has mypy loaded and cannot be influenced.
+"""Check an answer, and probes that use it, with mypy in a separate process that the answer can't influence.
 
 Import `typecheck`: `type_check`, `MypyOptions`, `TypeCheckFailed`, and `warm_cache` before many checks.
 """

@@ -1,4 +1,4 @@
-"""Running mypy in a process that has it ready: the other side of `inside/mypy_server.py`."""
+"""Run mypy in a process that has it loaded. `inside/mypy_server.py` runs in that process."""
 
 import atexit
 import json
@@ -20,7 +20,7 @@ STATUS_BYTES = 100
 
 @dataclass(frozen=True)
 class MypyRun:
-    """One run of mypy: where, in which environment, and what it may use (s of processor time, bytes, s)."""
+    """A run of mypy: arguments, folder, environment, and limits on CPU time (s), memory (bytes), and real time (s)."""
 
     arguments: Sequence[str]
     folder: Path
@@ -30,7 +30,7 @@ class MypyRun:
     patience_s: float
 
     def request(self) -> bytes:
-        """As `inside/mypy_server.py` reads it."""
+        """Encode the request for `inside/mypy_server.py`."""
         request = {
             "arguments": [*self.arguments],
             "folder": str(self.folder),
@@ -43,7 +43,7 @@ class MypyRun:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a run of mypy has ended (negative: the signal that ended it), what it said, and what it complained of."""
+    """The result of a mypy run: its exit code (negative: the signal that ended it), stdout, and stderr."""
 
     code: int
     said: str
@@ -51,9 +51,9 @@ class Outcome:
 
 
 class MypyServer:
-    """A process in which mypy is loaded. To load it is two thirds of what a run over a short program takes.
+    """A process in which mypy is loaded, because loading takes two thirds of a run over a short program.
 
-    It starts with the first run and ends with its owner. Ctrl-C in the middle of a run ends it, too; the next run
+    The process starts with the first run and ends with its owner. Ctrl-C during a run ends it, too, and the next run
     starts another one.
     """
 
@@ -65,18 +65,18 @@ class MypyServer:
 
     @property
     def pid(self) -> int | None:
-        """Its process number; None while there is none."""
+        """The process ID; None if no process is running."""
         return None if self._process is None else self._process.pid
 
     def run(self, run: MypyRun) -> Outcome:
-        """Run mypy. Raises TimeoutError after its patience, OSError when there is no process for it."""
+        """Run mypy. Raise TimeoutError after `patience_s`, and OSError if the process can't be started."""
         with self._turn, tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
             descriptors = [said.fileno(), complaint.fileno()]
             told = self._ask(run, descriptors) or self._ask(
                 run, descriptors
-            )  # it may have ended since the last run
+            )  # the server may have ended since the last run
             if not told:
-                raise OSError("the process that runs mypy ends at once")
+                raise OSError("the process that runs mypy ends right away")
             texts = []
             for file in (said, complaint):
                 file.seek(0)
@@ -84,7 +84,7 @@ class MypyServer:
         return Outcome(os.waitstatus_to_exitcode(int(told)), *texts)
 
     def _ask(self, run: MypyRun, descriptors: Sequence[int]) -> bytes:
-        """Send one request; what is told of its end, nothing when the server has ended."""
+        """Send a request, and return the run's exit status as sent by the server; empty if the server has ended."""
         try:
             channel = self._open(run.environ)
             channel.settimeout(run.patience_s)
@@ -100,7 +100,7 @@ class MypyServer:
         return told
 
     def _open(self, environ: Mapping[str, str]) -> socket.socket:
-        if self._channel is not None and self._owner == os.getpid():  # a fork of its owner has none
+        if self._channel is not None and self._owner == os.getpid():  # a forked child must not use it
             return self._channel
         self._process, ours = start_helper(SERVER, environ, quiet=True)
         if self._owner != os.getpid():
@@ -109,14 +109,14 @@ class MypyServer:
         return ours
 
     def close(self) -> None:
-        """End the process, if there is one. The next run starts another."""
+        """End the process, if one is running. The next run starts another one."""
         with self._turn:
             if self._owner == os.getpid():
                 self._close()
 
     def _close(self) -> None:
         if self._channel is not None:
-            self._channel.close()  # which also ends a run that is under way
+            self._channel.close()  # this also ends a run in progress
             self._channel = None
         if self._process is not None:
             self._process.wait()

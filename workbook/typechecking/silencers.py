@@ -1,4 +1,4 @@
-"""What in a program keeps mypy from looking at it: comments that silence it, and code that it is told to skip."""
+"""Find what keeps mypy from checking a program: comments that silence it, and code that it's told to skip."""
 
 import ast
 import io
@@ -10,19 +10,19 @@ from workbook.recording.recording import SILENCED, UNCHECKED, Finding
 
 _IGNORE = re.compile(
     r"#\s*type:\s*ignore\b"
-)  # at the beginning of a comment; elsewhere mypy does not heed it
+)  # mypy honors it only at the beginning of a comment and ignores it elsewhere
 _INLINE = re.compile(r"^# mypy: .*$", re.MULTILINE)
 _HIDING = ("TYPE_CHECKING", "MYPY", "PY2", "PY3")
-"""Names that mypy takes for true or false, whatever they are (`infer_condition_value` in mypy/reachability.py)."""
+"""Names that mypy always assumes to be true or false (`infer_condition_value` in mypy/reachability.py)."""
 _ABOUT_THE_MACHINE = ("platform", "version_info")
-"""What mypy believes to know of `sys`, whoever changes it."""
-_WHAT_HIDES = "code that runs, and that mypy is told to skip"
+"""The attributes of `sys` that mypy treats as constant, even if the program changes them."""
+_WHAT_HIDES = "code that runs although mypy is told to skip it"
 _FOR_CHECKERS = (
     *(ast.Import, ast.ImportFrom, ast.Pass, ast.Assign, ast.AnnAssign),
     *(ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef),
-    getattr(ast, "TypeAlias", ast.Pass),  # from Python 3.12 on
+    getattr(ast, "TypeAlias", ast.Pass),  # since Python 3.12
 )
-"""What may be there for a type checker alone. Others, such as `return`, make it skip what follows."""
+"""Statements that may be there for type checkers only. Others, such as `return`, make mypy skip the code after them."""
 
 
 def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
@@ -31,11 +31,11 @@ def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
             if token.type == tokenize.COMMENT:
                 yield token
     except (tokenize.TokenError, SyntaxError):
-        return  # mypy will say that it cannot read the file
+        return  # mypy will report that it cannot read the file
 
 
 def without_silencers(program: str) -> str:
-    """The program with every comment taken out that would silence mypy. Lines keep their numbers."""
+    """Remove all comments that would silence mypy. Lines keep their numbers."""
     lines = program.splitlines(keepends=True)
     for token in _comments(program):
         if _IGNORE.match(token.string):
@@ -46,7 +46,10 @@ def without_silencers(program: str) -> str:
 
 
 def evasions(program: str) -> Iterator[Finding]:
-    """Everything in a program that keeps mypy from looking, as findings of the codes "silenced" and "unchecked"."""
+    """Yield a finding for each place that keeps mypy from checking the program.
+
+    The findings have the codes "silenced" and "unchecked".
+    """
     for token in _comments(program):
         if _IGNORE.match(token.string):
             yield Finding("", token.start[0], SILENCED, token.string.strip())
@@ -58,10 +61,10 @@ def evasions(program: str) -> Iterator[Finding]:
     try:
         tree = ast.parse(program)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return  # mypy will say that it cannot read the file
+        return  # mypy will report that it cannot read the file
     explained: set[ast.AST] = set()
     systems = _names_of_sys(tree)
-    for node in ast.walk(tree):  # an `if` comes before its parts
+    for node in ast.walk(tree):  # an `if` is visited before its parts
         if _is_another_sys(node) or _misjudged(node):
             yield Finding("", getattr(node, "lineno", 1), UNCHECKED, _WHAT_HIDES)
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
@@ -84,13 +87,13 @@ def _last_name(node: ast.expr) -> str:
 
 
 def _names_of_sys(tree: ast.Module) -> frozenset[str]:
-    """What the program calls the module `sys`."""
+    """Return the program's names for the module `sys`."""
     aliases = (one for node in ast.walk(tree) if isinstance(node, ast.Import) for one in node.names)
     return frozenset(one.asname or one.name for one in aliases if one.name == "sys")
 
 
 def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
-    """Whether mypy takes what is done here for a reason to skip code: no `if` of the usual form explains it."""
+    """Return whether this node, outside of an `if` of the usual form, makes mypy skip code."""
     if isinstance(node.ctx, ast.Load):
         return _last_name(node) in _HIDING
     return (
@@ -102,14 +105,17 @@ def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
 
 
 def _asks_for_checkers(test: ast.expr) -> bool:
-    """Whether this is `TYPE_CHECKING` or `not TYPE_CHECKING`, and no more."""
+    """Return whether the test is just a name such as `TYPE_CHECKING`, or `not` with such a name."""
     if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
         test = test.operand
     return _last_name(test) in _HIDING
 
 
 def _hidden_code(node: ast.If) -> ast.stmt | None:
-    """The first statement that runs and is skipped by mypy. Imports may be there."""
+    """Return an `if` statement's first code that mypy skips, or that makes it skip code; None if there is none.
+
+    Imports are allowed.
+    """
     turned = isinstance(node.test, ast.UnaryOp) or _last_name(node.test) == "PY2"
     runs, skipped = (node.body, node.orelse) if turned else (node.orelse, node.body)
     for one in runs:
@@ -123,7 +129,7 @@ def _is_text(node: ast.stmt) -> bool:
 
 
 def _is_another_sys(node: ast.AST) -> bool:
-    """Whether something else is called `sys` here, which mypy takes for the module."""
+    """Return whether this node defines another object named `sys`, which mypy would mistake for the module."""
     if isinstance(node, ast.arg):
         return node.arg == "sys"
     if isinstance(node, ast.alias):
@@ -134,7 +140,7 @@ def _is_another_sys(node: ast.AST) -> bool:
 
 
 def _misjudged(node: ast.AST) -> bool:
-    """Whether mypy compares two numbers of the version where Python compares all five."""
+    """Return whether mypy compares only two numbers of the version where Python compares all five."""
     if not isinstance(node, ast.Compare):
         return False
     sides = [node.left, *node.comparators]

@@ -1,8 +1,7 @@
-"""What a type checker says of a program, without running it.
+"""Type-check a program without running it.
 
-mypy runs in a process of its own, behind a watchdog and under the settings of the judge alone. A program brings no
-settings of its own: comments that silence mypy are taken out before it looks, and are reported, as is code that it
-would not look at.
+mypy runs in a separate process with a time limit and only the judge's settings. A program can't change them: comments
+that silence mypy are removed and reported, and code that mypy would skip is reported, too.
 """
 
 import hashlib
@@ -26,15 +25,15 @@ from workbook.typechecking.silencers import evasions, without_silencers
 
 TYPINGS = Path(__file__).resolve().parents[1] / "typings"
 SETTINGS = TYPINGS / "mypy.ini"
-# Without stubs: what mypy knows of rclpy and its messages as they are installed.
+# BARE is for checks without stubs: mypy then reads the installed rclpy and its messages
 OURS = (f"--config-file={SETTINGS}",)
 BARE = ("--config-file=", "--disable-error-code=import-untyped")
 PROGRAM = "answer"
 NOTE = "note"
-PROCESSOR_S = 30  # what counts: on a busy machine a minute may pass before mypy has had two seconds of it
+PROCESSOR_S = 30  # CPU time, because on a busy machine, mypy may get two seconds of it in a minute
 PATIENCE_S = 300.0
 MEMORY_BYTES = 2_500_000_000
-# What most programs import, as far as mypy takes long to read it.
+# Modules that most programs import and that mypy takes long to read.
 COMMON = (
     *(
         "asyncio",
@@ -66,7 +65,7 @@ class TypeCheckFailed(RuntimeError):
 
 @dataclass(frozen=True)
 class MypyOptions:
-    """How mypy is run: its arguments, whether it finds the stubs of the course, whether its notes count as findings."""
+    """Options for running mypy: arguments, whether to use the course's stubs, and whether notes count as findings."""
 
     arguments: Sequence[str] = OURS
     stubs: bool = True
@@ -75,7 +74,7 @@ class MypyOptions:
 
     @property
     def cache_name(self) -> str:
-        """The name of the folder for what mypy knows under these options."""
+        """The name of the cache folder for these options."""
         return hashlib.sha256("\n".join((*self.arguments, str(self.stubs))).encode()).hexdigest()[:12]
 
 
@@ -85,10 +84,10 @@ DEFAULT = MypyOptions()
 def type_check(
     program: str, probes: Mapping[str, str] | None = None, options: MypyOptions = DEFAULT
 ) -> tuple[Finding, ...]:
-    """What mypy says of `program`, by line, and of each of the `probes`: short programs that import it as `answer`.
+    """Return mypy's findings on `program`, by line, and on each of the `probes`.
 
-    Its notes, such as those of `reveal_type`, have the code "note". Raises TypeCheckFailed when mypy is not installed
-    or fails over something that is not the program's.
+    Probes are short programs that import the program as `answer`. mypy's notes, such as the output of `reveal_type`,
+    have the code "note". Raise TypeCheckFailed if mypy isn't installed, or if it fails through no fault of the program.
     """
     if find_spec("mypy") is None:
         raise TypeCheckFailed(_NOT_INSTALLED)
@@ -112,10 +111,10 @@ def type_check(
 
 
 def _write(file: Path, text: str) -> None:
-    """Write a module with a time stamp of its own.
+    """Write a module with a new time stamp.
 
-    mypy takes a file of equal size for the one of its last run if both were written in the same second
-    (`validate_meta` in mypy/build.py). Programs of two people may well be.
+    mypy treats a file as unchanged if its size and the second of its modification are unchanged (`validate_meta` in
+    mypy/build.py). That may well be so for two people's programs.
     """
     file.write_text(text, encoding="utf-8")
     moment_s = secrets.randbelow(2**31)
@@ -125,7 +124,7 @@ def _write(file: Path, text: str) -> None:
 def _run_mypy(
     folder: Path, files: Sequence[str], cache: Path, options: MypyOptions
 ) -> list[tuple[str, int, str, str]]:
-    """Run mypy over files of a folder: module, line, code and message of all that it says."""
+    """Run mypy on files of a folder, and return the module, line, code, and message of each finding."""
     arguments = [
         *options.arguments, "--output=json", "--no-error-summary", "--show-error-codes", "--explicit-package-bases",
         f"--cache-dir={cache}", *files,
@@ -170,9 +169,9 @@ def _read(said: str, notes: bool) -> Iterator[tuple[str, int, str, str]]:
 
 
 def _own_cache(options: MypyOptions) -> Path:
-    """mypy's cache of this process for these settings. It begins as a copy of what the environment keeps.
+    """Return this process's mypy cache for these options, created as a copy of the environment's cache.
 
-    Nobody else writes to it: what mypy concludes from one person's program must not reach another's check.
+    No other process writes to it, because mypy's conclusions from one person's program must not reach another's check.
     """
     global _cache
     if _cache is None or not _cache.is_dir():
@@ -182,16 +181,16 @@ def _own_cache(options: MypyOptions) -> Path:
         warm_cache(options)
         try:
             shutil.copytree(kept_folder() / cache.name, cache)
-        except OSError:  # nothing is kept here: mypy begins from nothing
+        except OSError:  # there is no cache to copy, so mypy starts without one
             shutil.rmtree(cache, ignore_errors=True)
     return cache
 
 
 def warm_cache(options: MypyOptions = DEFAULT) -> None:
-    """Fill the environment's mypy cache for these options; does nothing if it exists or cannot be written.
+    """Fill the environment's mypy cache for these options. Do nothing if it exists or can't be written.
 
-    Call it before you start processes that cannot write to the environment: otherwise each of them fills a cache of its
-    own. Raises TypeCheckFailed.
+    Call this function before you start processes that can't write to the environment. Otherwise, each of them fills a
+    separate cache. Raise TypeCheckFailed if mypy isn't installed or fails.
     """
     if find_spec("mypy") is None:
         raise TypeCheckFailed(_NOT_INSTALLED)
@@ -201,9 +200,9 @@ def warm_cache(options: MypyOptions = DEFAULT) -> None:
 
 
 def kept_folder() -> Path:
-    """The environment's mypy cache for rclpy and the messages, with a folder for each choice of settings.
+    """Return the environment's mypy cache for rclpy and the messages, with a folder for each set of options.
 
-    Its name changes with whatever is installed, and with the stubs of the course.
+    Its name changes with the installed mypy and rclpy, and with the course's stubs.
     """
     state = hashlib.sha256(version("mypy").encode())
     rclpy = find_spec("rclpy")
@@ -214,7 +213,7 @@ def kept_folder() -> Path:
 
 
 def _fill_cache(kept: Path, options: MypyOptions) -> None:
-    """Let mypy read what most programs import, and keep its cache: in an environment of ours to write to."""
+    """Run mypy on the common imports, and keep its cache. Do nothing outside of a writable virtual environment."""
     if sys.prefix == sys.base_prefix or not os.access(sys.prefix, os.W_OK):
         return
     folder = scratch_folder("types")
@@ -222,13 +221,13 @@ def _fill_cache(kept: Path, options: MypyOptions) -> None:
         (folder / "common.py").write_text("".join(f"import {name}\n" for name in COMMON), encoding="utf-8")
         cache = folder / "cache"
         if _run_mypy(folder, ["common.py"], cache, replace(options, notes=False, processor_s=PROCESSOR_S)):
-            return  # whatever it says will be said of the program itself, or is none of its business
+            return  # mypy will report the same for the program itself, if it matters there
         kept.parent.mkdir(parents=True, exist_ok=True)
         whole = kept.with_name(f"{folder.name}.part")
         shutil.copytree(cache, whole)
         try:
             whole.rename(kept)
-        except OSError:  # another process was quicker
+        except OSError:  # another process was faster
             shutil.rmtree(whole, ignore_errors=True)
         for outdated in kept.parents[1].iterdir():
             if outdated != kept.parent:

@@ -1,5 +1,5 @@
-"""Watching one program on simulated time or on the wall clock, and recording all that it does on the graph.
+"""Watch a program in simulated time or on the wall clock, and record everything that it does on the graph.
 
-Import `observer.Observer`, whose `watch` gives a `watch.Watch`; `quiescence` tells when the program rests, and
-`steal_time` what the host took from this machine.
+Import `observer.Observer`, whose `watch` returns a `watch.Watch`. `quiescence` detects when the program rests, and
+`steal_time` measures the CPU time that the host took from this machine.
 """

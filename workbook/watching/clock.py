@@ -1,4 +1,4 @@
-"""Simulated time that we drive: a publisher on /clock whose seconds are shorter than real ones."""
+"""Drive simulated time with a publisher on /clock that can run faster than real time."""
 
 import bisect
 import time
@@ -16,13 +16,13 @@ CLOCK_QOS = QoSProfile(
 
 
 class SimulatedClock:
-    """Publishes simulated time on /clock in equal steps, from `start_ns` on or from the present time of day.
+    """Publishes simulated time on /clock in equal steps, from `start_ns` on or from the current time of day.
 
-    From the time of day on, the timers of a program that is switched to this clock are due when they would have been.
-    `now` and `simulated_time` count from the start.
+    If it starts at the time of day, a program that is switched to this clock keeps its timers' schedule. `now` and
+    `simulated_time` count from the start.
 
-    `step_s` is the resolution of simulated time in seconds. `advance` moves it by one step when that step is due at
-    the speed set (simulated seconds per real second). Simulated time never skips: if the machine is late, it waits.
+    `step_s` is the resolution of simulated time (s). Call `advance` to move on by one step when it's due at the current
+    speed (simulated seconds per real second). Simulated time never skips steps: on a slow machine, it lags instead.
     """
 
     def __init__(self, node: Any, step_s: float, start_ns: int | None = None) -> None:
@@ -37,15 +37,15 @@ class SimulatedClock:
 
     @property
     def now(self) -> float:
-        """Simulated time in seconds since the clock was started."""
+        """The simulated time (s) since the clock was started."""
         return (self._now_ns - self._start_ns) / 1e9
 
     def followers(self) -> int:
-        """Subscriptions of others to /clock."""
+        """Return the number of subscriptions that are connected to our /clock publisher."""
         return int(self._publisher.get_subscription_count())
 
     def run_at(self, speed: float) -> None:
-        """Set the speed; the next step is due when so much time has passed."""
+        """Set the speed. The next step is due one step from now."""
         self._speed = speed
         self._due = time.monotonic() + self._real_step
 
@@ -54,11 +54,11 @@ class SimulatedClock:
         return self.step_ns / 1e9 / self._speed
 
     def until_due(self) -> float:
-        """Real seconds until the next step is due (zero when it is)."""
+        """Return the real time (s) until the next step is due; zero if it's due now."""
         return max(0.0, self._due - time.monotonic())
 
     def publish(self) -> None:
-        """Publish the present simulated time on /clock, and note at which real moment."""
+        """Publish the current simulated time on /clock, and record the real time at which this happened."""
         message = Clock()
         message.clock.sec, message.clock.nanosec = divmod(self._now_ns, 1_000_000_000)
         self._moments.append(time.monotonic())
@@ -66,16 +66,16 @@ class SimulatedClock:
         self._publisher.publish(message)
 
     def advance(self) -> None:
-        """Move simulated time on by one step, and publish it."""
+        """Advance simulated time by one step, and publish it."""
         self._now_ns += self.step_ns
         self._due = max(self._due + self._real_step, time.monotonic() + self._real_step / 2)
         self.publish()
 
     def close(self) -> None:
-        """Take /clock off the graph."""
+        """Destroy the publisher on /clock."""
         self._node.destroy_publisher(self._publisher)
 
     def simulated_time(self, moment: float) -> float:
-        """Simulated time (s) at a moment of `time.monotonic`: the last one published before it."""
+        """Return the simulated time (s) at a moment of `time.monotonic`: the last one published before it."""
         index = bisect.bisect_right(self._moments, moment) - 1
         return self._times[index] if index >= 0 else 0.0

@@ -1,6 +1,6 @@
-"""What the graph says of others: told apart from our own, and safe against names that are none.
+"""Query the graph for other programs' endpoints. Skip our own endpoints, and tolerate invalid names.
 
-A program may put any bytes on the graph as the name of a topic, a type or a node.
+A program may put any bytes on the graph as the name of a topic, type, or node.
 """
 
 import secrets
@@ -16,7 +16,7 @@ from std_msgs.msg import Empty
 from workbook.watching.watched_topic import gid_of
 
 NO_NAME = (ValueError, TypeError, NameValidationException)
-"""What rclpy raises for names that are no UTF-8 or break the rules of ROS."""
+"""The exceptions that rclpy raises for names that aren't UTF-8 or break the ROS naming rules."""
 PREFIX_BYTES = 12
 """The part of a GID that all endpoints of one participant have in common."""
 _NAMES_REMEMBERED = 10_000
@@ -24,9 +24,10 @@ Told = TypeVar("Told")
 
 
 def own_prefix(node: Node) -> bytes:
-    """How the GIDs of all endpoints begin that belong to the context of `node`.
+    """Return the GID prefix that all endpoints in the context of `node` share.
 
-    A name says nothing: others may take it. This is told from a subscription to a topic that nobody else can know.
+    Names prove nothing, because other programs may use them, too. So we read the prefix from a subscription to a secret
+    topic.
     """
     while True:
         topic = f"/{node.get_name()}_{secrets.token_hex(16)}"
@@ -38,7 +39,7 @@ def own_prefix(node: Node) -> bytes:
 
 
 def or_default(ask: Callable[[], Told], otherwise: Told) -> Told:
-    """What the graph answers; `otherwise` where a name in the answer is none."""
+    """Return the graph's reply, or `otherwise` if the reply contains an invalid name."""
     try:
         return ask()
     except NO_NAME:
@@ -47,7 +48,7 @@ def or_default(ask: Callable[[], Told], otherwise: Told) -> Told:
 
 @lru_cache(_NAMES_REMEMBERED)
 def is_name(full: str) -> bool:
-    """Whether this can be the full name of a topic or a node."""
+    """Return whether this is a valid fully qualified name of a topic or a node."""
     try:
         validate_full_topic_name(full)
     except NO_NAME:
@@ -56,4 +57,4 @@ def is_name(full: str) -> bool:
 
 
 def _never_called(message: object) -> None:
-    """Nobody sends to this topic."""
+    """Ignore a message. No program sends to this topic."""

@@ -1,4 +1,4 @@
-"""What a subscription gets that comes late: the messages that a publisher has kept for it."""
+"""Count the kept messages that a late subscription receives from its publishers."""
 
 import time
 
@@ -9,20 +9,20 @@ from workbook.watching.values import known_class
 from workbook.watching.watched_topic import WatchedTopic
 
 ARRIVES_WITHIN_S = 1.5
-"""A kept message arrives within milliseconds after the match; on a busy machine, later."""
+"""The longest wait (s) after the match. A kept message arrives within milliseconds; on a busy machine, later."""
 MATCHED_WITHIN_S = 3.0
 POLL_S = 0.01
 DEPTH = 100
 
 
 def is_to_be_kept(watched: WatchedTopic) -> bool:
-    """Whether messages came on a topic, and a publisher of it promised to keep them."""
+    """Return whether messages arrived on a topic and one of its publishers promised to keep them."""
     promised = any(one.durability == "transient_local" for one in watched.publishers.values())
     return promised and bool(watched.came) and watched.subscribed_type is not None
 
 
 def received_late(node: Node, watched: WatchedTopic) -> int | None:
-    """Subscribe now, and count the messages that were published before; None where only new ones came."""
+    """Subscribe now, and count the messages that were published earlier. Return None if only new ones arrived."""
     message_type = known_class(watched.subscribed_type or "")
     if message_type is None:
         return None

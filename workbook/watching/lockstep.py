@@ -1,11 +1,11 @@
-"""Whether a program has come to rest, so that the next step of the clock loses nothing.
+"""Detect when a program has come to rest, so that the next clock step doesn't overtake it.
 
-At rest means: there was a moment at which no thread of the program, and no thread of ours that receives its messages,
-was running or waiting for a processor. All threads were asleep at one moment if each was seen asleep, and none was
-given a processor from before the first look until after the last. Linux counts that for each thread (`schedstat`, see
+A program is at rest if none of its threads is running or waiting for a processor at the same moment. The same must
+apply to our threads that receive its messages. Two conditions prove that: we saw each thread asleep, and none was
+scheduled between the first poll and the last. Linux counts how often each thread was scheduled (`schedstat`, see
 https://docs.kernel.org/scheduler/sched-stats.html).
 
-A thread that sleeps for a time of its own is not at rest: it goes on by itself, in real time (see `sleeps`).
+A thread that sleeps for a fixed time isn't at rest, because it continues by itself in real time (see `sleeps`).
 """
 
 import enum
@@ -17,21 +17,21 @@ from workbook.watching.sleeps import CALLS, goes_on_by_itself
 from workbook.watching.threads import Thread, ThreadTable
 
 LISTED_EVERY_S = 0.05
-"""A thread that a child process has just begun is not seen for so long (s); what has started it is."""
+"""How long (s) a child process's new thread may be missing from the list. The thread that started it is listed."""
 LONGEST_WAIT_S = 0.25
-"""A callback that computes or sleeps for so long (s) is waited for."""
+"""The longest wait (s) for a callback that computes or sleeps."""
 WORK_WAITS, SLEEP_WAITS = 4, 2
-"""How often a wait may end in vain until a program counts as one that does not come to rest."""
+"""After this many waits in vain, a program counts as one that doesn't come to rest."""
 POLL_S = 0.0001
 POLL_SHARE = 0.1
-"""Of the time waited so far. To poll more often would only take the processor that the program waits for."""
+"""Share of the time waited so far. Polling more often would only take the processor from the program."""
 FIRST_LOOK_SHARE = 0.5
 LONGEST_UNLOOKED_S = 0.001
-"""Nobody looks until half of the time has passed that the program needed for the step before, at most so long (s)."""
+"""Before the first poll, wait half as long as the previous step took. This value (s) caps the wait."""
 
 
 class State(enum.Enum):
-    """What a program was last seen doing."""
+    """The state of a program at the last poll."""
 
     AT_REST = "at rest"
     SLEEPING = "a thread sleeps for a while"
@@ -39,17 +39,18 @@ class State(enum.Enum):
 
 
 class LockStep:
-    """Waits until the program whose first process is `pid` is at rest, as long as it comes to rest at all.
+    """Waits until a program, whose first process is `pid`, is at rest.
 
-    `works` tells whether that is so: not where the kernel does not tell of threads, nor for a program that is always at
-    work (a MultiThreadedExecutor that waits for a free thread, a loop without a pause) or that lives by its own sleep.
-    `never_in_vain`: whether each wait up to now ended with the program at rest. `slept_s`: for how long (s) in
-    all, and `longest_nap_s` at most, a wait saw a thread asleep before the program came to rest.
+    `works` is False if waiting is useless: the kernel doesn't report threads, the program runs by its own sleeps, or
+    it's always at work. Examples of such work are a MultiThreadedExecutor that waits for a free thread, or a loop
+    without a pause. `never_in_vain`: whether each wait so far ended with the program at rest. `slept_s` and
+    `longest_nap_s`: the total and the longest time (s) for which waits saw a thread sleep before the program came to
+    rest.
     """
 
     def __init__(self, pid: int) -> None:
         self._table = ThreadTable(pid, LISTED_EVERY_S)
-        self._suspect: Thread | None = None  # the last one that was seen at work, and probably the next one
+        self._suspect: Thread | None = None  # the last thread seen at work, which is probably at work again
         self._took_s = 0.0
         self._naps: dict[int, tuple[bytes, bool]] = {}
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
@@ -59,11 +60,11 @@ class LockStep:
 
     @property
     def works(self) -> bool:
-        """Whether it is worth while to wait for rest."""
+        """Whether waiting for rest is useful."""
         return self._can_tell and min(self._vain.values()) > 0
 
     def wait(self) -> State:
-        """Return as soon as the program is at rest, or when patience is at an end. Returns what it was doing then."""
+        """Wait until the program is at rest, at most `LONGEST_WAIT_S`. Return its last state."""
         began = time.monotonic()
         asleep_since = math.inf
         time.sleep(FIRST_LOOK_SHARE * self._took_s)
@@ -84,9 +85,9 @@ class LockStep:
         return state
 
     def state(self) -> State:
-        """What the program is doing at this moment.
+        """Return the program's current state.
 
-        To look at all threads takes a while, and on a busy machine that is time which the program waits for.
+        Polling all threads takes some time, for which the program has to wait on a busy machine.
         """
         threads = self._table.threads()
         if self._suspect in threads and proc.is_at_work(self._suspect.stat):
@@ -102,9 +103,9 @@ class LockStep:
         return State.SLEEPING if sleeping else State.AT_REST
 
     def _goes_on_by_itself(self, thread: Thread, scheduled: bytes) -> bool:
-        """Whether a thread that is asleep, and was `scheduled` so often before, goes on without being told to.
+        """Return whether a sleeping thread with the scheduling counters `scheduled` continues by itself.
 
-        The kernel is asked once: as long as the thread is not scheduled again, it is in the same call.
+        The result is cached, because a thread stays in the same system call until it's scheduled again.
         """
         if thread.syscall is None:
             return False
@@ -115,13 +116,16 @@ class LockStep:
         return answer
 
     def close(self) -> None:
-        """Close the files that tell of threads."""
+        """Close the files with the threads' states."""
         self._suspect = None
         self._naps.clear()
         self._table.close()
 
     def _is_told(self) -> bool:
-        """Whether the kernel tells how often threads are scheduled, and which call those of the program are in."""
+        """Return whether the kernel reports how often threads are scheduled.
+
+        It must also report the system calls that the program's threads are in.
+        """
         threads = self._table.threads()
         calls = [thread.syscall for thread in threads if thread.syscall is not None]
         counted = all(len(_times_scheduled(thread).split()) == 3 for thread in threads)

@@ -1,4 +1,4 @@
-"""A place to watch programs from: a leased domain, on which they run one after another."""
+"""Watch programs one after another on a leased domain."""
 
 from collections.abc import Container
 
@@ -14,11 +14,10 @@ from workbook.watching.watch import Watch
 
 
 class Observer:
-    """Holds one leased domain and watches programs, one after another, in a `tier` of isolation or in none.
+    """Leases a domain and watches programs on it, one after another, in a `tier` of isolation or (None) without.
 
-    Keep one per slot: a warm observer saves the start of a context. After a program had to be killed it moves to
-    another domain, because the nodes of a killed program stay on the graph for a while. `on_take`: what is told
-    whenever messages were taken.
+    Keep one per slot. After a program was killed, the observer moves to another domain, because a killed program's
+    nodes stay on the graph for a while. `on_take`: called whenever messages were taken.
     """
 
     on_take: OnTake | None = None
@@ -35,24 +34,27 @@ class Observer:
 
     @property
     def domain_id(self) -> int:
-        """The leased ROS domain. Not to be used after `close`."""
+        """The leased ROS domain. Don't use it after `close`."""
         assert self._lease is not None, "this observer is closed"
         return self._lease.domain_id
 
     def close(self) -> None:
-        """Give the domain back."""
+        """Release the domain."""
         if self._lease is not None:
             self._lease.release()
             self._lease = None
 
     def move(self) -> None:
-        """Lease another domain, and let this one cool down: killed programs stay on its graph for a while."""
+        """Lease another domain, and let the current one cool down.
+
+        Killed programs stay on its graph for a while.
+        """
         if self._lease is not None:
             self._lease.release(killed=True)
         self._use(lease_domain())
 
     def keep_off(self, domains: Container[int]) -> None:
-        """Move to another domain, if there is a free one, when this is one of `domains`."""
+        """Move to another domain if the current one is in `domains`, unless no domain is free."""
         if self.domain_id in domains:
             try:
                 lease = lease_domain(avoid=domains)
@@ -68,8 +70,8 @@ class Observer:
         self.close()
 
     def watch(self, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None = None) -> Watch:
-        """Start a program and return the running watch; use it as a context manager.
+        """Start a program and return the running watch. Use it as a context manager.
 
-        `process`: the program, if it runs on this domain already. Raises OSError when it cannot be started.
+        `process`: the program, if it's already running on this domain. Raise OSError if the program can't be started.
         """
         return Watch(self, spec, plan, clock, process)

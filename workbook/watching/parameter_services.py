@@ -1,7 +1,7 @@
-"""Reads and sets `use_sim_time` of running nodes from outside, through the parameter services that rclpy gives a node.
+"""Read and set `use_sim_time` of running nodes from outside, through the parameter services that rclpy gives a node.
 
-A program is started without any arguments, so nothing tells it at its start that it is being judged. A node that
-answers spins, and has made all that its constructor makes.
+A program is started without any arguments, so it can't tell at startup that it's being judged. If a node responds, it's
+spinning, and its constructor has finished.
 """
 
 import time
@@ -17,7 +17,7 @@ POLL_S = 0.001
 
 
 class ParameterServices:
-    """Calls the parameter services of other nodes from `node`, which no executor needs to spin."""
+    """Calls other nodes' parameter services from `node`, which needn't be spun."""
 
     def __init__(self, node: Node) -> None:
         self._node = node
@@ -26,23 +26,23 @@ class ParameterServices:
         self._spinning: set[str] = set()
 
     def all_spin(self, names: Iterable[str]) -> bool:
-        """Whether each of these nodes (fully qualified names) has answered by now. False for no nodes."""
+        """Return whether all of these nodes (fully qualified names) have responded by now; False without nodes."""
         wanted = set(names)
         for name in wanted - self._spinning:
             if name not in self._asked and self._send(GetParameters, name, names=[USE_SIM_TIME]):
                 self._asked.add(name)
             if name in self._asked and self._take(GetParameters, name) is not None:
                 self._spinning.add(name)
-            self._client(SetParameters, name)  # a service answers only those clients that it has discovered
+            self._client(SetParameters, name)  # so that its service discovers us early
         return bool(wanted) and wanted <= self._spinning
 
     def set_sim_time(
         self, names: Iterable[str], value: bool, until: float, meanwhile: Callable[[], bool]
     ) -> bool:
-        """Set `use_sim_time` of these nodes, and return whether each has accepted it.
+        """Set `use_sim_time` of these nodes, and return whether all have accepted it.
 
-        Gives up at the moment `until` (`time.monotonic`, s), and as soon as `meanwhile`, which is called while nodes
-        have not answered, returns False.
+        Give up at the moment `until` (`time.monotonic`, s). `meanwhile` is called while nodes haven't responded; also
+        give up if it returns False.
         """
         wanted = Parameter(
             name=USE_SIM_TIME, value=ParameterValue(type=ParameterType.PARAMETER_BOOL, bool_value=value)
@@ -73,7 +73,7 @@ class ParameterServices:
         return self._clients[key]
 
     def _send(self, kind: Any, name: str, **fields: Any) -> bool:
-        """Send a request. Returns False while the service is not there."""
+        """Send a request. Return False if the service isn't available yet."""
         client = self._client(kind, name)
         if not client.service_is_ready():
             return False
@@ -82,7 +82,7 @@ class ParameterServices:
         return True
 
     def _take(self, kind: Any, name: str) -> Any:
-        """The response that has come; None while there is none."""
+        """Return the response; None if it hasn't arrived yet."""
         client = self._client(kind, name)
         with client.handle:
             header, response = client.handle.take_response(kind.Response)

@@ -1,4 +1,4 @@
-"""Whether a program has done all that it was woken for, read from the states of its threads."""
+"""Detect from the states of a program's threads whether it has finished its current work."""
 
 import time
 
@@ -8,19 +8,21 @@ from workbook.watching.threads import Thread, ThreadTable
 LONGEST_WAIT_S = 0.25
 BUDGET_S = 4.0
 _POLL_S = 0.0005
-# Of the time waited so far. To poll more often would only take the core that the program waits for.
+# Share of the time waited so far. Polling more often would only take the core from the program.
 _POLL_SHARE = 0.2
 LISTED_EVERY_S = 0.1
 
 
 class Quiescence:
-    """Waits until no thread of a program is running or waiting for a core, nor one of ours that receives messages.
+    """Waits until no thread of a program is running or waiting for a core.
 
-    On a busy machine a program waits for a core while simulated time goes on, and misses ticks through no fault
-    of its own. A driver of simulated time that waits for quiescence before each step cannot run away from it.
+    The same applies to our threads that receive messages.
 
-    A program that is never quiet, such as a loop without a pause, is not waited for longer than `LONGEST_WAIT_S` at
-    once and `BUDGET_S` in all (s). Where the states cannot be read, everything counts as quiet.
+    On a busy machine, a program that waits for a core would miss ticks if simulated time went on, although it isn't at
+    fault. So the driver of simulated time waits for quiescence before each step.
+
+    Some programs are never quiet, such as a loop without a pause. We wait for them at most `LONGEST_WAIT_S` per call
+    and `BUDGET_S` in all (s). If the states can't be read, everything counts as quiet.
     """
 
     def __init__(self, pid: int) -> None:
@@ -29,7 +31,7 @@ class Quiescence:
         self._suspect: Thread | None = None  # was at work at the last poll, and probably still is
 
     def wait(self) -> bool:
-        """Return as soon as all is quiet, or when patience is at an end. Returns whether it was quiet."""
+        """Wait until all threads are quiet, or until the time is up. Return whether they were quiet."""
         if self.is_quiet():
             return True
         began = time.monotonic()
@@ -42,13 +44,13 @@ class Quiescence:
         return False
 
     def is_quiet(self) -> bool:
-        """Whether all is quiet at this moment."""
+        """Return whether all threads are quiet at this moment."""
         threads = self._table.threads()
         if self._suspect not in threads or not proc.is_at_work(self._suspect.stat):
             self._suspect = next((one for one in threads if proc.is_at_work(one.stat)), None)
         return self._suspect is None
 
     def close(self) -> None:
-        """Close the files that tell of threads."""
+        """Close the files with the threads' states."""
         self._suspect = None
         self._table.close()

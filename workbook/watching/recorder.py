@@ -1,4 +1,4 @@
-"""Subscribes by itself to whatever others publish, and keeps what arrives."""
+"""Subscribe to every topic that other programs publish, and record the messages."""
 
 import time
 from collections import Counter
@@ -37,8 +37,10 @@ INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
 KEPT_PER_TOPIC = 20_000
 TOPICS_WATCHED = 64
 TAKEN_AT_ONCE = 2_000
-"""So many messages of a topic are taken before others are looked after: whoever publishes faster than they can be taken
-must not stop the watch."""
+"""How many messages of one topic are taken before the next topic's turn.
+
+So a program that publishes faster than we can take can't stall the watch.
+"""
 PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
 CLOCK_WAS_SET_S = 0.5
 LOOKS_PER_LISTING = 5
@@ -46,18 +48,18 @@ _LOOK_AGAIN_S = 0.02
 
 
 class Recorder:
-    """Watches the graph of one context and records every topic that somebody else publishes.
+    """Watches one context's graph, and records every topic that other programs publish.
 
-    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s); an arrival is stamped with the moment
-    at which DDS received it, so it does not matter how late `take` is called. `started_at` is the zero of wall time.
-    `look` takes in changes of the graph, `take` the messages; neither waits. What belongs to the context of `node` is
-    left out, however others call themselves. Names that are none are left out, too, and cost no other topic: where one
-    of them keeps the topics from being listed, the `judged` ones are still looked at. These are recorded even when a
-    program publishes more topics than are watched otherwise.
+    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). An arrival is stamped with the moment
+    at which DDS received it, so a late `take` does no harm. `started_at` is the zero of wall time. `look` reads changes
+    of the graph, and `take` the messages; neither waits. Endpoints in the context of `node` are left out, even if other
+    programs use their names. Invalid names are left out, too, without losing other topics: if topics can't be listed
+    because of them, the `judged` ones are still recorded. Judged topics are also recorded if a program publishes more
+    than `TOPICS_WATCHED` topics.
 
-    Of each judged topic so many messages and `bytes_per_topic` are kept, and as much of all others together. What we
-    publish ourselves is not counted: `own_bytes` says how much that is, by topic. `features`: see `Plan`.
-    `on_take` is called with the recorder after each `take`.
+    Each judged topic has a quota of `KEPT_PER_TOPIC` messages and `bytes_per_topic`; all others share another one. Our
+    own messages don't count: `own_bytes` gives their size by topic. `features`: see `Plan`. `on_take` is called with
+    the recorder after each `take`.
     """
 
     def __init__(
@@ -89,24 +91,24 @@ class Recorder:
         self._clients: dict[tuple[str, str], ServiceSeen] = {}
 
     def robot_now(self) -> float:
-        """Simulated time (s)."""
+        """Return the current simulated time (s)."""
         return self._simulated_time(time.monotonic())
 
     def _wall_now(self) -> float:
         return time.monotonic() - self._started_at
 
     def look(self) -> bool:
-        """Read the graph once and subscribe to new topics. Returns whether anything is new."""
+        """Read the graph once and subscribe to new topics. Return whether anything is new."""
         new = self.look_at_nodes()
         for topic in self._topic_names():
             try:
                 new |= self._look_at(topic)
-            except NO_NAME:  # of a node or a type that others know it by
+            except NO_NAME:  # an endpoint's node or type has an invalid name
                 continue
         return new
 
     def look_at_nodes(self) -> bool:
-        """Note the nodes that are on the graph now. Returns whether one is new."""
+        """Note the nodes that are on the graph now. Return whether one is new."""
         new = False
         for full, how_many in self.present().items():
             known = self._nodes.get(full)
@@ -119,13 +121,13 @@ class Recorder:
         return new
 
     def _topic_names(self) -> list[str]:
-        """Topics that may be recorded; if nobody can list them, those that are judged or known."""
+        """Return the topics that may be recorded. If they can't be listed, return the judged and known ones."""
         known = [(topic, [""]) for topic in dict.fromkeys((*self._judged, *self._topics))]
         listed = or_default(lambda: self._node.get_topic_names_and_types(no_demangle=False), known)
         return [topic for topic, _ in listed if topic not in INFRASTRUCTURE and is_name(topic)]
 
     def present(self) -> Counter[str]:
-        """Count the nodes of others that are on the graph now, by fully qualified name."""
+        """Count other programs' nodes that are on the graph now, by fully qualified name."""
         nobody: list[tuple[str, str]] = []
         names = or_default(self._node.get_node_names_and_namespaces, nobody)
         full = (full_name(namespace, name) for name, namespace in names if name != NODE_UNKNOWN)
@@ -133,9 +135,9 @@ class Recorder:
         return present - Counter([self._own_name])  # one of them is ours
 
     def look_at_services(self) -> None:
-        """Note the services that others offer or call now, those of every node's parameters left out.
+        """Note the services that other programs currently offer or have clients for, except parameter services.
 
-        Of a node that is called like ours nothing can be told: what is ours and what is theirs goes by name here.
+        Skip nodes that have our name: services are found by node name, so we couldn't tell theirs from ours.
         """
         for full in self.present():
             if full == self._own_name:
@@ -147,20 +149,20 @@ class Recorder:
             except (
                 NodeNameNonExistentError,
                 *NO_NAME,
-            ):  # it has gone in this moment, or offers what has no name
+            ):  # the node has just left the graph, or has an invalid name
                 continue
             self._services |= _own_services(offered)
             self._clients |= _own_services(called)
 
     def nodes_on_clock(self) -> tuple[str, ...]:
-        """The fully qualified names of nodes of others that subscribe to /clock now, sorted, each once."""
+        """Return the fully qualified names of other programs' nodes that subscribe to /clock now, sorted, each once."""
         nothing: list[TopicEndpointInfo] = []
         found = or_default(lambda: self._node.get_subscriptions_info_by_topic("/clock"), nothing)
         others = (info for info in found if not self._is_own(gid_of(info)))
         return tuple(sorted({full_name(info.node_namespace, info.node_name) for info in others}))
 
     def look_who_stays(self, patience_s: float) -> None:
-        """After the program has ended: note which of its nodes are still on the graph when `patience_s` is over."""
+        """Note which of the program's nodes are still on the graph `patience_s` (s) after its end."""
         deadline = time.monotonic() + patience_s
         while (left := self.present()) and time.monotonic() < deadline:
             time.sleep(_LOOK_AGAIN_S)
@@ -190,9 +192,10 @@ class Recorder:
         return MessageQuota(self._bytes_per_topic + self._own_bytes.get(topic, 0), KEPT_PER_TOPIC)
 
     def _is_worth_a_look(self, watched: WatchedTopic) -> bool:
-        """Whether its endpoints must be listed, which is dear: where their number or our knowledge says so.
+        """Return whether to list a topic's endpoints, which is expensive.
 
-        Now and then in any case: one may have come in the moment in which another one went.
+        We do if their number has changed, or if something about them is still unknown. Every few polls, we list them
+        anyway, because one endpoint may have replaced another between two polls.
         """
         endpoints = (self._node.count_publishers(watched.name), self._node.count_subscribers(watched.name))
         watched.looks += 1
@@ -229,7 +232,7 @@ class Recorder:
         return new
 
     def _is_own(self, gid: bytes) -> bool:
-        """Whether an endpoint belongs to our own context."""
+        """Return whether an endpoint belongs to our own context."""
         return gid[:PREFIX_BYTES] == self._own_prefix
 
     def _update_subscribers(self, watched: WatchedTopic) -> None:
@@ -275,7 +278,7 @@ class Recorder:
     def take(self) -> None:
         """Keep the messages that have arrived since the last call."""
         offset = time.time() - time.monotonic()
-        if abs(offset - self._epoch_offset) > CLOCK_WAS_SET_S:  # messages carry the time of day
+        if abs(offset - self._epoch_offset) > CLOCK_WAS_SET_S:  # messages are stamped with the time of day
             self._epoch_offset = offset
         for watched in self._topics.values():
             if watched.subscription is None:
@@ -292,12 +295,15 @@ class Recorder:
             self._on_take(self)
 
     def kept_until_now(self) -> dict[str, int | None]:
-        """How many messages each judged topic that promises to keep them has kept for a subscription made now."""
+        """Return how many messages each judged topic has kept for a new subscription.
+
+        Only topics that promise to keep messages are included.
+        """
         judged = (self._topics[name] for name in self._judged if name in self._topics)
         return {one.name: received_late(self._node, one) for one in judged if is_to_be_kept(one)}
 
     def discard(self) -> None:
-        """Drop what has arrived so far: it came before the watch began."""
+        """Drop the messages that arrived before the watch began."""
         self.take()
         for watched in self._topics.values():
             watched.forget()
@@ -306,39 +312,42 @@ class Recorder:
         wall = moment - self._started_at
         watched.keep(self._simulated_time(moment), wall, sent - self._started_at, raw)
 
-    def so_far(self) -> Iterator[tuple[str, int, Any]]:
-        """Each topic on which something came: how many messages were kept, and the last one as `latest` has it."""
+    def so_far(self) -> Iterator[tuple[str, str, int, Any]]:
+        """Yield each topic with messages: name, type, number of messages, and the last message as from `latest`."""
         for name, watched in sorted(self._topics.items()):
             if watched.came:
-                yield name, len(watched.came), watched.latest()
+                yield name, watched.subscribed_type or "", len(watched.came), watched.latest()
 
     def matched(self, topic: str) -> bool:
-        """Whether the recorder's own subscription to `topic` is connected to a publisher."""
+        """Return whether the recorder's own subscription to `topic` is connected to a publisher."""
         watched = self._topics.get(topic)
         return watched is not None and watched.matched_at is not None
 
     def times(self, topic: str) -> list[float]:
-        """When messages of `topic` came, up to the last `take` (s of simulated time)."""
+        """Return when messages on `topic` arrived, up to the last `take` (s of simulated time)."""
         watched = self._topics.get(topic)
         return [] if watched is None else [one.t for one in watched.came]
 
     def is_flooded(self, topic: str) -> bool:
-        """Whether the latest messages of a topic came so fast that no rate of an exercise can be right any more."""
+        """Return whether a topic's latest messages arrived faster than any exercise's rate."""
         watched = self._topics.get(topic)
         came = [] if watched is None else watched.came[-FLOOD_MESSAGES:]
         return len(came) == FLOOD_MESSAGES and came[-1].t - came[0].t < FLOOD_S
 
     def matched_at(self, topic: str) -> float | None:
-        """Since when (s of simulated time) `topic` has been recorded; None if it never was."""
+        """Return since when (s of simulated time) `topic` has been recorded; None if it never was."""
         watched = self._topics.get(topic)
         return None if watched is None else watched.matched_at
 
     def has_unmatched_publisher(self, topic: str) -> bool:
-        """Whether somebody publishes `topic`, and the recorder's own subscription is not connected yet."""
+        """Return whether a program publishes `topic`, but the recorder's own subscription isn't connected yet."""
         return not self.matched(topic) and self._node.count_publishers(topic) > 0
 
     def knows_its_nodes(self) -> bool:
-        """Whether each publisher that is there belongs to a node that we know; names travel apart from publishers."""
+        """Return whether every current publisher's node is known.
+
+        DDS sends nodes' names separately from publishers.
+        """
         return all(
             publisher.node in self._nodes
             for watched in self._topics.values()
@@ -347,25 +356,25 @@ class Recorder:
         )
 
     def any_publisher(self) -> bool:
-        """Whether anything has published any recorded topic, now or before."""
+        """Return whether a recorded topic has or had a publisher."""
         return any(watched.publishers for watched in self._topics.values())
 
     def nodes(self) -> tuple[NodeSeen, ...]:
-        """All nodes seen so far, sorted by fully qualified name."""
+        """Return all nodes seen so far, sorted by fully qualified name."""
         return tuple(self._nodes[name] for name in sorted(self._nodes))
 
     def services(self) -> tuple[ServiceSeen, ...]:
-        """All services that a node has offered so far, sorted."""
+        """Return all services that nodes have offered so far, sorted."""
         return tuple(self._services[key] for key in sorted(self._services))
 
     def clients(self) -> tuple[ServiceSeen, ...]:
-        """All services that a node has had a client for so far, sorted."""
+        """Return all services that nodes have had clients for so far, sorted."""
         return tuple(self._clients[key] for key in sorted(self._clients))
 
     def start_windows(self, t: float) -> None:
-        """Begin the watch at simulated time `t`: what was matched or seen before counts from then.
+        """Begin the watch at simulated time `t`. Earlier matches and endpoints count from then.
 
-        On the wall clock, simulated time begins only now, so earlier moments mean nothing any more.
+        On the wall clock, simulated time begins only now, so earlier moments would be wrong.
         """
         for watched in self._topics.values():
             if watched.matched_at is not None:
@@ -375,12 +384,12 @@ class Recorder:
                 watched.publishers[gid] = replace(publisher, first_seen=t, last_seen=last_seen)
 
     def topics(self, end: float) -> dict[str, TopicRecording]:
-        """What was recorded up to simulated time `end` (s)."""
+        """Return each topic's recording up to simulated time `end` (s)."""
         return {name: finished(watched, end) for name, watched in sorted(self._topics.items())}
 
 
 def _own_services(found: list[tuple[str, list[str]]]) -> dict[tuple[str, str], ServiceSeen]:
-    """Services by name and type, without those that every node has."""
+    """Return the services by name and type, without those that every node offers."""
     return {
         (service, kind): ServiceSeen(service, kind)
         for service, types in found
@@ -390,7 +399,7 @@ def _own_services(found: list[tuple[str, list[str]]]) -> dict[tuple[str, str], S
 
 
 def _never_called(message: object) -> None:
-    """No executor serves the recorder's node: `take` fetches the messages."""
+    """Ignore a message. No executor serves the recorder's node, because `take` fetches the messages."""
 
 
 OnTake = Callable[[Recorder], None]

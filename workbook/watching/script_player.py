@@ -1,4 +1,4 @@
-"""Plays a script to a program: publishes, answers and calls, without an executor."""
+"""Play a script to a program: publish messages, respond to calls, and call services, all without an executor."""
 
 import math
 import time
@@ -20,13 +20,13 @@ from workbook.watching.values import plain
 SERVED_EVERY_S = 0.01
 LATE_S = 0.02
 CALLS_KEPT = 2_000
-"""Calls after these are neither answered nor recorded: a program may call without end."""
+"""Calls after this many are neither answered nor recorded, because a program may call endlessly."""
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
-    """Set the fields of a message from plain data; nested messages from nested mappings. Returns the message.
+    """Set a message's fields from plain data, and nested messages from nested mappings. Return the message.
 
-    Bytes are handed over as an array: with field checks on, a message looks at each byte of anything else.
+    Bytes are converted to an array, because with field checks, a message checks each byte of any other type.
     """
     for name, item in value.items():
         if isinstance(item, Mapping):
@@ -51,14 +51,14 @@ def _qos(part: Publishes) -> QoSProfile:
 
 @dataclass
 class _Delay:
-    """By how much (s) the lines of a script are later than planned: all its parts share it, or they fall apart."""
+    """The delay (s) of a script's lines. All parts share it, so that they stay in sync."""
 
     late_s: float = 0.0
 
 
 @dataclass
 class _Due:
-    """Lines of a part that are still to come."""
+    """The remaining lines of a part."""
 
     lines: list[Line]
     delay: _Delay
@@ -72,7 +72,10 @@ class _Due:
         return now
 
     def take_apart(self, t: float) -> list[Line]:
-        """Only what is planned for one moment. If it comes late, so does all that follows: the pauses stay."""
+        """Take the lines for the next planned moment, if it's due.
+
+        If they're late, all later lines are delayed as much, so that the pauses stay the same.
+        """
         if self.next_at() > t:
             return []
         if t - self.next_at() > LATE_S:
@@ -81,9 +84,9 @@ class _Due:
 
 
 class ScriptPlayer:
-    """Plays a script from one node. Lines that are due before the start are published when it is made.
+    """Plays a script from one node. The constructor publishes lines that are due before the program starts.
 
-    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s); `started_at` is the zero of wall time,
+    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). `started_at` is the zero of wall time:
     set it when the program is started. `play` and `poll` never wait.
     """
 
@@ -120,7 +123,7 @@ class ScriptPlayer:
         self._say(BEFORE_START)
 
     def bytes_by_topic(self) -> dict[str, int]:
-        """How many bytes of messages the script publishes in all, by topic."""
+        """Return how many bytes of messages the script publishes on each topic in all."""
         sizes: dict[str, int] = {}
         for part in self._script.parts:
             if isinstance(part, Publishes):
@@ -130,14 +133,14 @@ class ScriptPlayer:
         return sizes
 
     def ready(self) -> bool:
-        """Whether the program listens to all that awaits it, and offers all services that are called."""
+        """Return whether the program subscribes to all awaited topics and offers all services that the script calls."""
         heard = all(
             publisher.get_subscription_count() > 0 for part, publisher, _ in self._publishers if part.awaited
         )
         return heard and all(called.client.service_is_ready() for called in self._clients)
 
     def play(self, t: float, *, keep_pauses: bool = False) -> None:
-        """Send every line that is due at simulated time `t` (s), and serve requests and responses.
+        """Send every line that is due at simulated time `t` (s), and handle requests and responses.
 
         With `keep_pauses`, a late line delays the lines after it by as much, so that the planned pauses stay.
         """
@@ -150,23 +153,23 @@ class ScriptPlayer:
 
     @property
     def late_s(self) -> float:
-        """How much later (s) than planned the next lines come."""
+        """The delay (s) of the remaining lines."""
         return self._delay.late_s
 
     def _dues(self) -> list[_Due]:
         return [due for _, _, due in self._publishers] + [called.due for called in self._clients]
 
     def poll(self) -> None:
-        """Take requests and responses that have come, and send the responses that are due."""
+        """Take requests and responses that have arrived, and send the responses that are due."""
         for offered in self._services:
             self._serve(offered)
         for called in self._clients:
             self._collect(called)
 
     def until_next(self, t: float) -> float:
-        """Robot seconds from `t` to the next line that is due; infinite when there is none.
+        """Return the robot seconds from `t` to the next line; infinite if there is none.
 
-        While there is a service or a client, at most a short time: a request or a response may come at any moment.
+        With a service or a client, it's at most `SERVED_EVERY_S`, because a request or response may arrive at any time.
         """
         due = [one.next_at() - t for one in self._dues()]
         if self._services or self._clients:
@@ -174,11 +177,11 @@ class ScriptPlayer:
         return max(0.0, min(due, default=math.inf))
 
     def published(self) -> tuple[Published, ...]:
-        """The messages published so far, in order."""
+        """Return the messages published so far, in order."""
         return tuple(self._published)
 
     def unpublished(self) -> tuple[Published, ...]:
-        """The messages that are still to come, in order. Their times are those at which they are due."""
+        """Return the messages that are still to be published, in order. Their times are when they're due."""
         to_come = [(part, line) for part, _, due in self._publishers for line in due.lines]
         return tuple(
             Published(part.topic, line.at, line.at, plain(fill(message_class(part.type)(), line.value)))
@@ -186,7 +189,7 @@ class ScriptPlayer:
         )
 
     def calls(self) -> tuple[CallSeen, ...]:
-        """The service calls seen so far, in both directions, in the order of their wall time."""
+        """Return the service calls seen so far, in both directions, sorted by wall time."""
         return tuple(sorted(self._calls, key=lambda call: call.wall))
 
     def _now(self) -> tuple[float, float]:
@@ -227,7 +230,7 @@ class ScriptPlayer:
                 if header is None:
                     break
                 if len(self._calls) >= CALLS_KEPT:
-                    continue  # taken all the same, so that it fills no queue
+                    continue  # taken anyway, so that requests don't fill the queue
                 reply = offered.part.replies[min(offered.count, len(offered.part.replies) - 1)]
                 offered.count += 1
                 index = len(self._calls)
@@ -248,7 +251,7 @@ class ScriptPlayer:
 
 
 class _Offered:
-    """A service of ours, with the requests that wait for their response."""
+    """One of our services, with the requests that wait for a response."""
 
     def __init__(self, part: Serves, service: Any) -> None:
         self.part = part
@@ -259,7 +262,7 @@ class _Offered:
 
 
 class _Called:
-    """A service of the program, with the calls that wait for their response."""
+    """One of the program's services, with our calls that wait for a response."""
 
     def __init__(self, part: Calls, client: Any, due: _Due) -> None:
         self.part = part
@@ -270,5 +273,5 @@ class _Called:
 
 
 def _never_called(request: object, response: object) -> object:
-    """No executor serves the player's node: `poll` takes the requests."""
+    """Ignore a request. No executor serves the player's node, because `poll` takes the requests."""
     return response

@@ -1,4 +1,4 @@
-"""What one watch consists of: a node of the judge, its clock and script player, the program, and the recorder."""
+"""Hold the parts of a watch: the judge's node, clock, script player, and recorder, and the program."""
 
 import secrets
 import time
@@ -21,11 +21,11 @@ from workbook.watching.recorder import OnTake, Recorder
 from workbook.watching.script_player import ScriptPlayer
 
 REMEMBERED_S = 20
-"""How long (s) others remember a program that vanishes, where it is judged whether it takes its nodes along."""
+"""How long (s) other participants remember a vanished program, if we judge whether its nodes leave with it."""
 
 
 class Place(Protocol):
-    """Where programs are watched: see `workbook.watching.observer.Observer`."""
+    """The place where programs are watched: see `workbook.watching.observer.Observer`."""
 
     @property
     def domain_id(self) -> int:
@@ -33,11 +33,11 @@ class Place(Protocol):
 
     @property
     def tier(self) -> Tier | None:
-        """The tier of isolation in which it runs."""
+        """The tier of isolation in which the program runs."""
 
     @property
     def on_take(self) -> OnTake | None:
-        """What is told whenever messages were taken."""
+        """The function that is called whenever messages were taken."""
 
     def move(self) -> None:
         """Use another domain from now on."""
@@ -45,7 +45,7 @@ class Place(Protocol):
 
 @dataclass
 class Delays:
-    """For how long (s) the judge or the program got no processor, as the recording stores it."""
+    """Times (s) for which the judge or the program got no processor, as stored in the recording."""
 
     held_up: float = 0.0
     longest_steal: float = 0.0
@@ -57,7 +57,7 @@ class Delays:
 class Session:
     """The parts of one watch.
 
-    `clock`: there once the program is to be switched to simulated time. `began`: when (`time.monotonic`, s) simulated
+    `clock`: None until the program is to be switched to simulated time. `began`: when (`time.monotonic`, s) simulated
     time begins on the wall clock.
     """
 
@@ -74,7 +74,7 @@ class Session:
     delays: Delays = field(default_factory=Delays)
 
     def simulated_time(self, moment: float) -> float:
-        """Simulated time (s) at a moment of `time.monotonic` (s)."""
+        """Return the simulated time (s) at a moment of `time.monotonic` (s)."""
         if self.clock is not None:
             return self.clock.simulated_time(moment)
         return moment - self.began
@@ -87,7 +87,7 @@ class Session:
 
 
 def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProcess | None) -> Session:
-    """Join the graph, and start the program unless it runs as `process`. Raises OSError when that cannot be done."""
+    """Join the graph, and start the program unless it runs as `process`. Raise OSError if it can't be started."""
     context = Context()
     rclpy.init(
         context=context,

@@ -1,7 +1,7 @@
-"""Driving simulated time: in lock-step with the program where it comes to rest, at a fixed pace where it does not.
+"""Drive simulated time: in lockstep with a program that comes to rest, and at a fixed speed with any other.
 
-Fast and slow blocks alternate, so that a program that lives on the wall clock shows it, also when it stops early: see
-`following`. A slow block is cut short once it has shown that every topic follows, and what is left of it is fast.
+Fast and slow blocks alternate, so that we can detect a program on the wall clock, even if it stops early (see
+`following`). A slow block ends once it has proved that every topic follows the clock, and the rest of it is fast.
 """
 
 import math
@@ -9,7 +9,7 @@ import time
 from collections.abc import Sequence
 
 from workbook.recording.plan import PERIODS_PER_BLOCK, SPEEDS
-from workbook.recording.recording import Phase
+from workbook.recording.recording import Stretch
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.following import follows
 from workbook.watching.lockstep import LockStep
@@ -17,26 +17,28 @@ from workbook.watching.session import Session
 
 LOOK_EVERY_S = 0.1
 SLOWER = 2.2
-"""How many times longer a step of a slow block takes than one of the fast blocks before: more than the 2 that are
-needed, because the next fast block may come out a little slower."""
+"""A step of a slow block takes this many times longer than the slowest step so far of fast blocks.
+
+The factor exceeds the required 2, because the next fast block may be a little slower.
+"""
 SETTLE_S = 0.005
 LATE_MATCH_S = 0.3
-"""How long (s) the clock stands still for publishers of a topic that are made late. In all, because one that cannot be
-connected must not hold it up again and again."""
+"""How long (s) the clock pauses in all for a topic's late publishers. The total is limited, because a publisher that
+can't be connected must not delay it again and again."""
 MOST_REAL_S = 40.0
-"""Real time (s) that simulated time may take in all. After that the wall clock judges."""
+"""How much real time (s) simulated time may take in all. After that, the program is judged on the wall clock."""
 CLEARLY_FASTER = 2.0
-"""How many times less than simulated time a program must work and sleep, so that real time would not be too short."""
+"""If a program works and sleeps longer than simulated time divided by this, real time might be too short for it."""
 LEAST_TAKEN_S = 0.5
-"""Time that a program has worked and slept (s) from which on that is decided."""
+"""That is decided only once a program has worked and slept for this long (s)."""
 LONGEST_NAP_PERIODS = 0.5
-"""Of the shortest judged period: lockstep would wait for a callback that sleeps so long, and real time would not."""
+"""Share of the shortest judged period. Lockstep would wait for a callback that sleeps longer; real time wouldn't."""
 MOST_EXTRA_S = 60.0
-"""Simulated time that is added at most for topics that came too rarely to tell whether they follow the clock."""
+"""The most simulated time (s) added for topics with too few messages to tell whether they follow the clock."""
 
 
 class SimulatedRun:
-    """Drives the clock of one watch. `phases`: what was driven, at which measured pace."""
+    """Drives the clock of one watch. `stretches`: the stretches driven so far, with their measured speeds."""
 
     def __init__(self, session: Session, clock: SimulatedClock) -> None:
         self._session = session
@@ -47,48 +49,48 @@ class SimulatedRun:
         self._late_match_s = dict.fromkeys(session.plan.topics, LATE_MATCH_S)
         self._until = time.monotonic() + MOST_REAL_S
         self._used_before_s = self._used_s = session.process.processor_seconds() or 0.0
-        self.phases: list[Phase] = []
+        self.stretches: list[Stretch] = []
 
     def run_as_planned(self) -> float:
-        """Let the planned simulated time pass, as long as the program runs. Returns its end (s of simulated time)."""
+        """Drive the clock through the planned time, as long as the program runs. Return the simulated time (s) then."""
         plan = self._session.plan
         pairs = max(1, math.floor(plan.simulated_s / (2 * PERIODS_PER_BLOCK * plan.longest_period)))
         self._run(plan.simulated_s, pairs)
         return self._clock.now
 
     def run_longer(self) -> None:
-        """Let more simulated time pass where that can show whether a topic follows the clock. It is not judged."""
+        """Drive the clock further if that can show whether a topic follows it. This time isn't judged."""
         unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
         if unsure and self._lock.works and self._session.process.is_running() and not self.outpaced:
             interval = max(self._clock.now / len(times) for times in unsure)
             self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
     def _unsure(self, topic: str) -> list[float]:
-        """When messages of a topic came of which nothing is proved yet (s of simulated time)."""
+        """Return a topic's arrival times (s of simulated time) if nothing is proved about it yet; otherwise, []."""
         times = self._session.recorder.times(topic)
-        return times if follows(self.phases, times, self._session.plan.step_s) is None else []
+        return times if follows(self.stretches, times, self._session.plan.step_s) is None else []
 
     def following(self) -> dict[str, bool]:
-        """The judged topics of which it is proved that they follow the clock, or that they do not."""
+        """Return, for each topic with proof, whether it follows the clock."""
         found = {}
         for name in self._session.plan.paced:
-            proved = follows(self.phases, self._session.recorder.times(name), self._session.plan.step_s)
+            proved = follows(self.stretches, self._session.recorder.times(name), self._session.plan.step_s)
             if proved is not None:
                 found[name] = proved
         return found
 
     @property
     def in_lockstep(self) -> bool:
-        """Whether no step was taken before the program had come to rest."""
+        """Whether the program had come to rest before each step."""
         return self._lock.works and self._lock.never_in_vain
 
     @property
     def outpaced(self) -> bool:
-        """Whether simulated time proves nothing, because the program keeps it from passing much faster than real time.
+        """Whether simulated time proves nothing, because the program prevents it from being much faster than real time.
 
-        Lockstep waits for a callback that works or sleeps; a person who runs the program sees that it comes late. What
-        counts is processor time and sleep, because a busy machine says nothing about the program. A flood of messages
-        needs no long look: what else the program does, the wall clock shows sooner.
+        Lockstep waits for callbacks that work or sleep, but in real time, such callbacks make the program late. We
+        count CPU time and sleep, because delays on a busy machine aren't the program's fault. With a flood of messages,
+        the wall clock also shows sooner what else the program does.
         """
         taken_s = self._used_s - self._used_before_s + self._lock.slept_s
         slow = taken_s > max(LEAST_TAKEN_S, self._clock.now / CLEARLY_FASTER)
@@ -97,7 +99,7 @@ class SimulatedRun:
         return slow or naps or flooded or time.monotonic() > self._until
 
     def close(self) -> None:
-        """Close the files that tell of threads."""
+        """Close the files with the threads' states."""
         self._lock.close()
 
     def _run(self, simulated_s: float, pairs: int) -> None:
@@ -106,20 +108,20 @@ class SimulatedRun:
             if self.outpaced:
                 return
             middle, end = (begin + simulated_s * (number + half) / pairs for half in (0.5, 1.0))
-            earlier = len(self.phases)
+            earlier = len(self.stretches)
             self._run_block(middle, fast=True)
             self._run_block(end, fast=False, earlier=earlier)
             self._run_block(end, fast=True)
 
     def _run_block(self, end: float, *, fast: bool, earlier: int = 0) -> None:
-        """Drive the clock to `end`; if slowly, only until all is proved together with the phases since `earlier`."""
+        """Drive the clock to `end`. A slow block ends when the stretches since `earlier` prove that topics follow."""
         while self._clock.now < end and self._session.process.is_running() and not self.outpaced:
             self._run_phase(end, fast=fast, earlier=earlier)
-            if not fast and self._is_proved(self.phases[earlier:]):
+            if not fast and self._is_proved(self.stretches[earlier:]):
                 return
 
     def _run_phase(self, end: float, *, fast: bool, earlier: int) -> None:
-        """Drive the clock at one pace to `end`, until all is proved, or until the program turns out not to rest."""
+        """Drive the clock at one speed to `end`, until all is proved, or until lockstep starts or stops working."""
         session, clock, locked = self._session, self._clock, self._lock.works
         begin, began, steps, proved = clock.now, time.monotonic(), 0, False
         clock.run_at(self._speed(fast=fast, locked=locked))
@@ -137,7 +139,7 @@ class SimulatedRun:
             session.script_player.play(clock.now)
             steps += 1
             if not fast and steps % session.plan.steps_per_period == 0:
-                proved = self._is_proved([*self.phases[earlier:], _phase(begin, clock.now, began)])
+                proved = self._is_proved([*self.stretches[earlier:], _stretch(begin, clock.now, began)])
             if time.monotonic() > self._next_look:
                 session.recorder.look()
                 self._used_s = session.process.processor_seconds() or self._used_s
@@ -146,22 +148,22 @@ class SimulatedRun:
         self._wait(locked=locked)
         session.recorder.take()
         if steps:
-            self.phases.append(_phase(begin, clock.now, began))
+            self.stretches.append(_stretch(begin, clock.now, began))
         if steps and fast:
             spent = time.monotonic() - began
             self._slowest_step_s[locked] = max(self._slowest_step_s[locked], spent / steps)
 
-    def _is_proved(self, phases: Sequence[Phase]) -> bool:
-        """Whether these phases alone prove that every topic follows the clock."""
+    def _is_proved(self, stretches: Sequence[Stretch]) -> bool:
+        """Return whether these stretches alone prove that every topic follows the clock."""
         recorder, plan = self._session.recorder, self._session.plan
         return bool(plan.paced) and all(
-            follows(phases, recorder.times(name), plan.step_s) for name in plan.paced
+            follows(stretches, recorder.times(name), plan.step_s) for name in plan.paced
         )
 
     def _match_late_publishers(self) -> None:
-        """Let the clock stand still while a publisher that was made late is connected.
+        """Pause the clock until late publishers are connected.
 
-        What it publishes before that is lost, in real time as well; but simulated time must not make more of it.
+        Messages before that are lost, in real time, too, but fast simulated time must not lose more of them.
         """
         recorder = self._session.recorder
         for topic, left in self._late_match_s.items():
@@ -173,16 +175,17 @@ class SimulatedRun:
                 self._late_match_s[topic] = left
 
     def _wait(self, *, locked: bool) -> None:
-        """Let what the last step set in motion come to an end, and arrive."""
+        """Wait until the effects of the last step are over and their messages have arrived."""
         if locked:
             self._lock.wait()
         else:
             self._session.quiescence.wait()
 
     def _speed(self, *, fast: bool, locked: bool) -> float:
-        """Robot seconds per real second at which the clock is driven; infinite: as fast as the program can follow.
+        """Return the robot seconds per real second at which to drive the clock.
 
-        A slow block is slow beside the fast ones as they came out, which a busy machine makes slower than intended.
+        Infinite means as fast as the program can follow. A slow block is slow relative to the measured fast blocks,
+        which are slower than intended on a busy machine.
         """
         if fast:
             return math.inf if locked else SPEEDS[1]
@@ -191,6 +194,6 @@ class SimulatedRun:
         return slow if locked else min(SPEEDS[0], slow)
 
 
-def _phase(begin: float, now: float, began: float) -> Phase:
-    """Simulated time (s) from `begin` to `now`, driven since the moment `began`."""
-    return Phase(round((now - begin) / (time.monotonic() - began), 3), begin, now)
+def _stretch(begin: float, now: float, began: float) -> Stretch:
+    """Return the stretch of simulated time (s) from `begin` to `now`, driven since the moment `began`."""
+    return Stretch(round((now - begin) / (time.monotonic() - began), 3), begin, now)

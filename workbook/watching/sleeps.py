@@ -1,14 +1,14 @@
-"""Whether a thread sleeps for a time that it has chosen itself, told by the system call that it is in.
+"""Determine from a thread's system call whether the thread sleeps for a time that it has chosen itself.
 
-`time.sleep` is one of the `nanosleep` calls. An event loop (asyncio, selectors, zmq) sleeps in `epoll_wait` or `poll`,
-with its time-out as a number. A wait for a futex with a time-out tells nothing: rclpy itself waits like that.
+`time.sleep` makes one of the `nanosleep` calls. An event loop (asyncio, selectors, zmq) sleeps in `epoll_wait` or
+`poll` with a numeric timeout. A futex wait with a timeout proves nothing, because rclpy itself waits like that.
 """
 
 import os
 from collections.abc import Callable, Sequence
 
 SHORT_MS = 250
-"""A poll with a longer time-out (ms) counts as rest. Programs whose nodes a thread spins wait like that elsewhere."""
+"""A poll with a longer timeout (ms) counts as rest. Programs that spin nodes in a thread wait like that elsewhere."""
 
 Sleeps = Callable[[Sequence[bytes]], bool]
 
@@ -18,12 +18,12 @@ def _always(_: Sequence[bytes]) -> bool:
 
 
 def _milliseconds(place: int) -> Sleeps:
-    """The argument at `place` is a time-out (ms); a negative one has no end."""
+    """Return a test for calls whose argument at `place` is a timeout (ms). A negative one means forever."""
     return lambda arguments: int(arguments[place], 16) & 0xFFFFFFFF <= SHORT_MS
 
 
 def _pointer(place: int) -> Sleeps:
-    """The argument at `place` points to a time-out, which cannot be read; without one the wait has no end."""
+    """Return a test for calls whose argument at `place` points to a timeout that we can't read. Null means forever."""
     return lambda arguments: int(arguments[place], 16) != 0
 
 
@@ -47,10 +47,10 @@ _CALLS: dict[str, dict[bytes, Sleeps]] = {
     },
 }
 CALLS = _CALLS.get(os.uname().machine, {})
-"""By number: whether a thread in this call goes on by itself soon. Empty on a machine whose calls we do not know."""
+"""By call number: whether a thread in this call soon continues by itself. Empty for unknown machine types."""
 
 
 def goes_on_by_itself(call: bytes) -> bool:
-    """Whether a thread in this call goes on soon, without any message. `call`: its number and arguments."""
+    """Return whether a thread in this call soon continues without any message. `call`: its number and arguments."""
     number, *arguments = call.split() or [b""]
     return number in CALLS and len(arguments) > 4 and CALLS[number](arguments)

@@ -1,8 +1,8 @@
-"""How long the host of a virtual machine takes a processor away from it: steal time.
+"""Measure steal time: how long a virtual machine's host takes a processor away from it.
 
-What was to run there is late, although nobody in the machine was busy. Linux books a standstill in one piece when it is
-over; see proc_stat(5). Measured on a machine with two processors: what overslept by 0.07 and 0.14 s found 0.09 and
-0.14 s of it.
+Threads on that processor are late, although no other process in the machine was busy. Linux adds a standstill in one
+piece once it's over; see proc_stat(5). On a machine with two processors, threads that overslept by 0.07 and 0.14 s
+measured 0.09 and 0.14 s of steal time.
 """
 
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from workbook.inside.proc import PROC_STAT, stolen_s
 
 
 class StealTime:
-    """Steal time from one poll to the next. Two polls that are far apart also see what were many short ones."""
+    """Sums up steal time between polls. If two polls are far apart, many short standstills may add up."""
 
     def __init__(self, stat: str | PathLike[str] = PROC_STAT) -> None:
         self._stat = stat
@@ -20,13 +20,13 @@ class StealTime:
         self._at_first = self._before
 
     def longest_since_last(self) -> float:
-        """The longest time (s) for which a processor was taken away since the last poll."""
+        """Return the longest time (s) for which a processor was taken away since the last poll."""
         now = stolen_s(self._stat)
         found = [seconds - self._before[name] for name, seconds in now.items() if name in self._before]
         self._before = now
         return max(found, default=0.0)
 
     def in_all(self) -> float:
-        """How long (s) a processor was taken away up to the last poll: the mean of all processors."""
+        """Return the total steal time (s) up to the last poll, averaged over the processors."""
         found = [seconds - self._at_first.get(name, seconds) for name, seconds in self._before.items()]
         return sum(found) / len(found) if found else 0.0

@@ -1,4 +1,4 @@
-"""Switches a running program to simulated time."""
+"""Switch a running program to simulated time."""
 
 import time
 
@@ -7,20 +7,20 @@ from workbook.watching.parameter_services import ParameterServices
 from workbook.watching.session import Session
 
 ANSWERS_WITHIN_S = 5.0
-"""A node that has not answered its parameter services for so long (s) does not spin: the wall clock judges it."""
+"""If a node's parameter services haven't responded by then (s), it isn't spinning, and the wall clock is used."""
 FOLLOWS_WITHIN_S = 1.0
-"""A node that has accepted the switch subscribes to /clock before it answers; the graph tells of it a moment later."""
+"""The longest wait (s) for /clock subscriptions. Nodes create them before they respond; the graph shows them later."""
 START_NS = 1_000_000
-"""Timers of a program that was started on simulated time count from zero. If the clock began late, all of them would be
+"""If a program was started in simulated time, its timers count from zero. If the clock began late, all of them would be
 due right away."""
 POLL_S = 0.001
 
 
 class TimeSwitch:
-    """Switches the program of one session. `services`: the parameter services of its nodes.
+    """Switches a session's program. `services`: its nodes' parameter services.
 
-    `is_real`: whether it is not on simulated time. One that was started there (`from_start`), as a lesson does with its
-    own programs, is.
+    `is_real`: whether the program runs on real time. `from_start`: it was started in simulated time, as lessons do with
+    their own programs.
     """
 
     def __init__(self, session: Session, *, from_start: bool = False) -> None:
@@ -33,10 +33,10 @@ class TimeSwitch:
             session.clock = SimulatedClock(session.node, session.plan.step_s, START_NS)
 
     def to_simulated_time(self, until: float) -> bool:
-        """Set `use_sim_time` on every node that is on the graph. Returns whether each of them follows /clock now.
+        """Set `use_sim_time` on every node on the graph. Return whether all of them follow /clock now.
 
-        Where one of them refuses, or has not answered at the moment `until` (`time.monotonic`, s), all of them stay on
-        real time or return to it.
+        If a node refuses, or hasn't responded by the moment `until` (`time.monotonic`, s), all nodes stay on real time
+        or return to it.
         """
         session = self._session
         present = session.recorder.present()
@@ -49,21 +49,21 @@ class TimeSwitch:
         self.is_real = False
         if self._set(True, until) and self._is_followed(clock, present.total()):
             return True
-        self._set(False, time.monotonic())  # one that answers later is switched and switched back then
+        self._set(False, time.monotonic())  # a node that responds later is switched and then switched back
         self.is_real = True
         session.clock = None
         clock.close()
         return False
 
     def keep_time(self) -> bool:
-        """Let a clock that the program may still follow go on with real time. Returns whether the program runs."""
+        """Advance a clock that the program may still follow, in real time. Return whether the program is running."""
         clock = self._session.clock
         if clock is not None and self._session.context.ok() and clock.until_due() == 0.0:
             clock.advance()
         return self._session.process.is_running()
 
     def close(self) -> None:
-        """Destroy the clients of parameter services."""
+        """Destroy the parameter services' clients."""
         self.services.close()
 
     def _set(self, value: bool, until: float) -> bool:
@@ -74,7 +74,7 @@ class TimeSwitch:
         )
 
     def _is_followed(self, clock: SimulatedClock, nodes: int) -> bool:
-        """Wait until each node is seen to subscribe to /clock; one process may be there long before another."""
+        """Wait until there are `nodes` subscriptions to /clock, because some processes appear long before others."""
         until = time.monotonic() + FOLLOWS_WITHIN_S
         while clock.followers() < nodes:
             if time.monotonic() > until or not self._session.process.is_running():

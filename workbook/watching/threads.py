@@ -1,4 +1,4 @@
-"""The threads of a program, and ours that receive its messages, with the files open that tell of their state."""
+"""List a program's threads, and ours that receive its messages, with open files of their states."""
 
 import os
 import time
@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from workbook.inside import proc
 
 OWN_THREADS = b"dds."
-"""How the names of the threads begin that receive messages; Fast DDS gives them."""
+"""The prefix that Fast DDS gives to the names of threads that receive messages."""
 
 
 @dataclass(frozen=True, eq=False)
 class Thread:
-    """Open files of one thread; `syscall` only for threads of the program, and where the kernel lets us read it."""
+    """A thread's open files. `syscall` is None for our own threads, or if the kernel doesn't let us read it."""
 
     stat: int
     schedstat: int | None
@@ -28,9 +28,9 @@ class Thread:
 
 
 class ThreadTable:
-    """Lists the threads of the program whose first process is `pid`, again after every `listed_every_s` (s).
+    """Lists the threads of a program, whose first process is `pid`, and updates the list every `listed_every_s` (s).
 
-    Also as soon as that process has more threads than before, or fewer.
+    It's also updated as soon as that process's number of threads changes.
     """
 
     def __init__(self, pid: int, listed_every_s: float) -> None:
@@ -43,7 +43,7 @@ class ThreadTable:
         self._others: set[str] = set()
 
     def threads(self) -> list[Thread]:
-        """All threads, as of the last listing."""
+        """Return all threads, as of the last listing."""
         how_many = proc.how_many_threads(self._pid)
         if how_many != self._how_many or time.monotonic() - self._listed_at >= self._every_s:
             self._how_many = how_many
@@ -61,11 +61,11 @@ class ThreadTable:
         for folder in self._threads.keys() - wanted.keys():
             self._threads.pop(folder).close()
         for folder in wanted.keys() - self._threads.keys():
-            with suppress(OSError):  # it has ended meanwhile
+            with suppress(OSError):  # the thread has ended in the meantime
                 self._threads[folder] = _open(folder, of_program=wanted[folder])
 
     def _folders(self) -> Iterator[tuple[str, bool]]:
-        """The folder of each thread, and whether it is one of the program."""
+        """Yield each thread's folder, and whether the thread belongs to the program."""
         there = set(proc.tasks(os.getpid()))
         self._receivers &= there
         self._others &= there
@@ -79,7 +79,7 @@ class ThreadTable:
 
 
 def _open(folder: str, *, of_program: bool) -> Thread:
-    """Raises OSError when the thread has ended."""
+    """Open a thread's files. Raise OSError if the thread has ended."""
     stat = os.open(f"{folder}/stat", os.O_RDONLY | os.O_CLOEXEC)
     return Thread(
         stat, _open_if(f"{folder}/schedstat"), _open_if(f"{folder}/syscall") if of_program else None
@@ -87,7 +87,7 @@ def _open(folder: str, *, of_program: bool) -> Thread:
 
 
 def _open_if(path: str) -> int | None:
-    """Some kernels have no such file, or keep it from us."""
+    """Open a file; return None if the kernel doesn't have it or doesn't let us read it."""
     try:
         return os.open(path, os.O_RDONLY | os.O_CLOEXEC)
     except OSError:

@@ -1,6 +1,7 @@
-"""Whether a tier isolates here, and a message comes through: a slot asks before it judges its first answer.
+"""Test whether a tier isolates programs on this machine and lets their messages through.
 
-Runs a program that tries what must not work and publishes what came of it.
+A slot runs this test before it judges its first answer. The test's program tries everything forbidden and publishes the
+results.
 """
 
 import json
@@ -29,7 +30,7 @@ POLL_S = 0.01
 
 
 def problem_in(isolation: Isolation, found: dict[str, Any], ids: Ids | None) -> str | None:
-    """What is wrong with what the probe could do; None when nothing is."""
+    """Return the problem with the probe's results; None if there is none."""
     wrong = sorted(name for name in refuses(isolation) if found[name])
     if ids is not None and set(found["user"]) | set(found["groups"]) != {ids.user}:
         wrong.append(
@@ -41,9 +42,9 @@ def problem_in(isolation: Isolation, found: dict[str, Any], ids: Ids | None) -> 
 def try_out(
     isolation: Isolation, observer: Observer, limits: Limits, port: int, ids: Ids | None
 ) -> str | None:
-    """Run the probe as `observer` runs answers. Returns what is wrong with the tier, or None.
+    """Run the probe as `observer` runs answers. Return the tier's problem; None if there is none.
 
-    `port`: of a listener on the machine.
+    `port`: a TCP port on which something listens on this machine.
     """
     folder, secrets = scratch_folder("probe"), scratch_folder("secret")
     secret = secrets / "secret"

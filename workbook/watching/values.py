@@ -1,4 +1,4 @@
-"""From ROS messages to plain data, and from type names to message classes."""
+"""Convert ROS messages to plain data, and type names to message classes."""
 
 import hashlib
 from collections.abc import Mapping
@@ -10,12 +10,12 @@ from workbook.ros.messages import message_class
 LONGEST_ARRAY = 4096
 LONGEST_TEXT = 4096
 FIRST_OF_ARRAY = 64
-"""How much is kept of a longer array. Of a longer text, it is `LONGEST_TEXT`: people read it."""
+"""How many elements of a longer array are kept. A longer text keeps `LONGEST_TEXT` characters: people read it."""
 BYTES_PER_VALUE = 8
 
 
 def known_class(name: str) -> Any | None:
-    """The class of a message type such as "std_msgs/msg/String"; None if it is not installed here."""
+    """Return the class of a message type such as "std_msgs/msg/String"; None if it's invalid or not installed."""
     try:
         return message_class(name)
     except (ValueError, LookupError):
@@ -23,10 +23,10 @@ def known_class(name: str) -> Any | None:
 
 
 def plain(value: Any) -> Any:
-    """A message (or a field) as dicts, lists, numbers and text.
+    """Convert a message or a field to dicts, lists, numbers, and strings.
 
-    Arrays and texts longer than 4096 elements are cut and become `{"length": n, "sha256": "...", "first": [...]}`. The
-    hash is that of the bytes in memory, of a text in UTF-8. An array of messages has none.
+    Arrays and texts longer than 4096 elements are cut to `{"length": n, "sha256": "...", "first": [...]}`. An array's
+    hash covers its bytes in memory, a text's hash its UTF-8 bytes. An array of messages has no hash.
     """
     if isinstance(value, (bool, int, float)):
         return value
@@ -41,7 +41,7 @@ def plain(value: Any) -> Any:
     if hasattr(value, "dtype"):
         value = value.reshape(-1)
     kept = value[: LONGEST_ARRAY if len(value) <= LONGEST_ARRAY else FIRST_OF_ARRAY]
-    if hasattr(value, "tobytes"):  # of the module array, or of NumPy
+    if hasattr(value, "tobytes"):  # an array.array, or a NumPy array
         first, whole = kept.tolist(), value.tobytes
     elif isinstance(value, (bytes, bytearray)):
         first, whole = list(kept), lambda: value
@@ -58,10 +58,10 @@ def _cut(length: int, first: Any, whole: bytes | None) -> dict[str, Any]:
 
 
 def with_features(data: Any, message: Any, features: Mapping[str, Feature]) -> Any:
-    """The plain data of a message, and in its declared large fields what the exercise wants to know of them.
+    """Add the exercise's features to the plain data of a message, and return the data.
 
-    Such a field becomes `{"length": n, "first": [...], "features": ...}`, with a hash if it is long. The messages are
-    not trusted: whatever an exercise's function raises, its features are None.
+    A field with features becomes `{"length": n, "first": [...], "features": ...}`, with a hash if it's long. Messages
+    are untrusted, so the features are None if the exercise's function raises an exception.
     """
     for name, feature in features.items():
         if name in data:
@@ -80,20 +80,20 @@ def _features(message: Any, feature: Feature) -> Any:
 
 
 def _data_only(told: Any) -> Any:
-    """Plain data of what a function returned, which may hold values of NumPy. Raises TypeError for anything else."""
+    """Convert a function's result, which may contain NumPy values, to plain data. Raise TypeError for anything else."""
     if told is None or isinstance(told, (bool, int, float, str)):
         return told
     if isinstance(told, Mapping):
         return {str(name): _data_only(value) for name, value in told.items()}
     if isinstance(told, (list, tuple)):
         return [_data_only(value) for value in told]
-    if hasattr(told, "tolist"):  # of NumPy
+    if hasattr(told, "tolist"):  # a NumPy value
         return _data_only(told.tolist())
     raise TypeError(f"{type(told).__name__} cannot be kept")
 
 
 def bytes_kept(data: Any) -> int:
-    """About how many bytes plain data take, as a program would send them."""
+    """Estimate how many bytes plain data would take in a message."""
     if isinstance(data, dict):
         return sum(map(bytes_kept, data.values()))
     if isinstance(data, list):

@@ -1,4 +1,4 @@
-"""Waiting until a program is on the graph, and connected with the judge in both directions."""
+"""Wait until a program is on the graph and connected with the judge in both directions."""
 
 import time
 
@@ -7,27 +7,27 @@ from workbook.watching.session import Session
 
 FIRST_SIGN_S = 12.0
 STARTS_LONGEST_S = 30.0
-"""So much longer (s) a program is waited for that is at work, and has used less than `STARTS_PROCESSOR_S`."""
+"""We wait this much longer (s) for a program that is at work and has used less than `STARTS_PROCESSOR_S`."""
 STARTS_PROCESSOR_S = 10.0
-"""Processor time (s) of a start. Measured: `import torch` takes 2.2."""
+"""The most CPU time (s) that startup may take. For comparison, we measured 2.2 s for `import torch`."""
 AT_REST_S = 1.0
-"""A program that has not been at work for so long (s) does not start any more."""
+"""If a program hasn't been at work for this long (s), its startup is over."""
 ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 UNANSWERED_S = 0.5
-"""A program that has everything else, and whose nodes do not answer, is one that does not spin."""
+"""If everything else is complete, but the nodes haven't responded for this long (s), they aren't spinning."""
 SPINNING_S = 0.1
-"""What a spinning node has made may still be on its way to us for so long (s)."""
+"""How long (s) a spinning node's new endpoints may take to reach us."""
 MATCH_S = 5.0
 NO_PUBLISHER_S = 8.0
 POLL_S = 0.01
 HELD_STEPS = 5
 HELD_STEP_S = 0.003
-"""With the clock, a program that is still busy with what it hears of us is waited for besides."""
+"""With a clock, the steps are shorter, and we also wait while the program is still busy with our messages."""
 
 
 def wait_for_first_sign(session: Session) -> bool:
-    """Wait until a publisher of the program is on the graph. Returns False if it never came."""
+    """Wait until one of the program's publishers is on the graph. Return False if none appeared in time."""
     process, recorder = session.process, session.recorder
     deadline = time.monotonic() + FIRST_SIGN_S
     look_elsewhere = time.monotonic() + ELSEWHERE_S
@@ -54,10 +54,10 @@ def wait_for_first_sign(session: Session) -> bool:
 
 
 def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
-    """Whether a program that has not come up by `deadline` has had too little of the processor for its start.
+    """Return whether a program that isn't up by `deadline` has had too little CPU time for its start.
 
-    It may import large libraries, on a busy machine. A loop without end has used far more by then, where it can; and a
-    program that was last seen `at_work` a while ago has nothing to do.
+    On a busy machine, it may still be importing large libraries. If it could run, an endless loop has used far more CPU
+    time by then. A program that was last seen `at_work` a while ago has nothing left to do.
     """
     now = time.monotonic()
     if now > min(deadline + STARTS_LONGEST_S, at_work + AT_REST_S):
@@ -67,18 +67,18 @@ def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
 
 
 def wait_for_matches(session: Session, services: ParameterServices | None = None) -> None:
-    """Wait until all that the exercise names is there and connected with the judge, or will not come any more.
+    """Wait until all endpoints of the exercise are connected with the judge, or until the missing ones won't appear.
 
-    With `services`, before a switch to simulated time, nodes are asked whether they spin: a program whose nodes do has
-    set up what it sets up at its start. The names of nodes travel apart from their publishers, and on a busy machine
-    come much later. Without it no node is asked, because to answer is a callback, which a program may count. The
-    program is then waited for until nothing new has come for a while.
+    With `services`, before a switch to simulated time, we ask nodes whether they spin, because a program with spinning
+    nodes has finished its setup. DDS sends nodes' names separately from publishers, and on a busy machine, they arrive
+    much later. Without `services`, no node is asked, because responding runs a callback, which a program may count.
+    Instead, we wait until nothing new has appeared for a while.
     """
     recorder = session.recorder
     looked = time.monotonic()
     deadline = looked + MATCH_S
     quiet_s = spinning_s = (
-        0.0  # a program that waits for a core is not quiet, nor are we while we wait for one
+        0.0  # time in which the program or this process waits for a core doesn't count as quiet
     )
     while (now := time.monotonic()) < deadline and session.process.is_running():
         spent = min(now - looked, POLL_S)
@@ -92,7 +92,7 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
                 return
         else:
             spinning = services.all_spin(recorder.present())
-            spinning_s += spent if spinning and quiet else 0.0  # another process of it may be at its start
+            spinning_s += spent if spinning and quiet else 0.0  # another of its processes may be starting
             if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
                 return
             if spinning_s > SPINNING_S:
@@ -108,10 +108,10 @@ def _is_complete(session: Session) -> bool:
 
 
 def let_it_match_us(session: Session) -> None:
-    """Give the program time to match our endpoints, publishing the start of simulated time meanwhile.
+    """Give the program time to match our endpoints, and publish the start of simulated time in the meantime.
 
-    Matching is not mutual at once: until the program has matched us, it misses what we publish, and we miss what it
-    publishes in return.
+    Matching isn't mutual right away: until the program has matched us, it misses our messages, and we miss its
+    responses.
     """
     for _ in range(HELD_STEPS):
         if session.clock is not None:

@@ -1,9 +1,10 @@
-"""Letting real time pass while a program is recorded."""
+"""Record a program in real time."""
 
 import os
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from time import sleep
 
 from workbook.inside.proc import process_tree, read, run_queue_s, stat_fields, tasks, thread_folder
 from workbook.watching.session import Session
@@ -13,14 +14,14 @@ TAKE_EVERY_S = 0.05
 LOOK_EVERY_S = 0.1
 NOTE_EVERY_S = 0.2
 UNSCRIPTED_PACE = 4.0
-"""Messages carry the time of their arrival. So without a script to serve, they can be taken so much less often."""
+"""Without a script, messages can be taken this many times less often, because they carry their arrival times."""
 OWN_LOAD_EVERY_S = 0.5
 CONSTANTLY = 0.8
-"""Share of the time in which a thread wants a processor, if it always has work."""
+"""A thread with constant work wants a processor for at least this share of the time."""
 
 
 def precedence(pid: int) -> tuple[int, ...]:
-    """The nice value and the scheduling policy of the first thread of a process; empty when it has ended."""
+    """Return the nice value and scheduling policy of a process's first thread; empty if the process has ended."""
     try:
         fields = stat_fields(pid)
         return int(fields[16]), int(fields[38])
@@ -29,7 +30,7 @@ def precedence(pid: int) -> tuple[int, ...]:
 
 
 def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
-    """For how long (s) each thread of some processes has run or waited for a processor: by process and thread."""
+    """Return how long (s) each thread of some processes has run or waited for a processor, by process and thread."""
     found = {}
     for pid in pids:
         for task in tasks(pid):
@@ -40,10 +41,10 @@ def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
 
 
 class OwnLoad:
-    """Whether a program itself makes the first thread of its process `pid` wait for a processor.
+    """Detects whether a program itself makes the first thread of its process `pid` wait for a processor.
 
-    It does if its other threads want enough to keep all processors at work. Whether they get a processor does not
-    matter, so a busy machine looks no different. And it does if it has made all others go first.
+    It does if its other threads want enough CPU time to keep all processors busy. Whether they get that time doesn't
+    matter, so a busy machine doesn't change the result. It also does if it has lowered its own priority.
     """
 
     def __init__(self, pid: int) -> None:
@@ -54,13 +55,13 @@ class OwnLoad:
         self._steps_back = False
 
     def note(self) -> None:
-        """Look at the threads; those that have ended since the last look keep what they had wanted by then."""
+        """Poll the threads. For threads that have ended since the last poll, the latest value is kept."""
         self._wanted |= wanted_processor_s(process_tree(self._pid))
         pairs = zip(precedence(self._pid), precedence(os.getpid()), strict=False)
         self._steps_back |= any(its > ours for its, ours in pairs)
 
     def is_to_blame(self) -> bool:
-        """Whether that is so, up to the last look."""
+        """Return whether the program itself is to blame, up to the last poll."""
         return self._steps_back or self._fills_the_machine()
 
     def _fills_the_machine(self) -> bool:
@@ -73,14 +74,10 @@ class OwnLoad:
         return wanted > CONSTANTLY * there_were
 
 
-def _pause(seconds: float) -> None:
-    time.sleep(seconds)
-
-
 def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bool] = lambda: False) -> None:
-    """Record for `seconds` of real time, as long as the program runs; notes in `session.delays` what was late.
+    """Record for `seconds` of real time, as long as the program runs. Delays are noted in `session.delays`.
 
-    Returns early when `cancel_soak` says so, which is asked about as often as messages are taken.
+    Return early if `cancel_soak`, which is called about as often as messages are taken, returns True.
     """
     process, recorder, script_player, delays = (
         session.process,
@@ -98,7 +95,7 @@ def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bo
     while running and (left := end - time.monotonic()) > 0:
         paused = time.monotonic()
         turn = min(pace * TAKE_EVERY_S, left, script_player.until_next(session.simulated_time(paused)))
-        _pause(turn)
+        sleep(turn)
         delays.held_up = max(delays.held_up, time.monotonic() - paused - turn)
         script_player.play(session.simulated_time(time.monotonic()), keep_pauses=True)
         if time.monotonic() > next_take:
@@ -123,16 +120,16 @@ def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bo
 
 
 def is_lost(session: Session) -> bool:
-    """Whether every topic that has a rate is flooded, so that a longer watch shows nothing more."""
+    """Return whether every topic with a judged rate is flooded, so that a longer watch would show nothing more."""
     paced = session.plan.paced
     return bool(paced) and all(map(session.recorder.is_flooded, paced))
 
 
 def left_to_watch(session: Session) -> float:
-    """Real seconds left until every judged topic has been watched in full, counted from the one that was matched last.
+    """Return the wall time (s) left until every judged topic was watched in full, starting at the last match.
 
-    For the wall clock. If lines of the script were late, the watch lasts that much longer. New delays may make it
-    longer again: ask until nothing is left.
+    If lines of the script were late, the watch lasts that much longer. New delays may extend it again, so call this
+    function until nothing is left.
     """
     now = session.simulated_time(time.monotonic())
     since = map(session.recorder.matched_at, session.plan.topics)

@@ -1,4 +1,4 @@
-"""Watches one program from its start to a recording, on simulated time or on the wall clock."""
+"""Watch a program from its start to a recording, in simulated time or on the wall clock."""
 
 import time
 from collections.abc import Callable
@@ -8,7 +8,7 @@ from dataclasses import replace
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
-from workbook.recording.recording import Clock, Phase, Recording
+from workbook.recording.recording import Clock, Recording, Stretch
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.parameter_services import USE_SIM_TIME
 from workbook.watching.session import Place, open_session
@@ -19,19 +19,19 @@ from workbook.watching.wall_time import is_lost, left_to_watch, run_wall_time
 
 GONE_S = 6.0
 KEPT_LOOK_S = 0.25
-"""How often (s) the watch asks whether a program has been kept alive for long enough. Its end is noticed right away."""
+"""How often (s) `keep_watching` checks for cancellation. The program's end is noticed right away."""
 MOST_DELAYED_S = 60.0
-"""A watch on the wall clock lasts at most so much longer (s) than planned, however late its script is."""
+"""A watch on the wall clock lasts at most this much longer (s) than planned, however late its script is."""
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
 
 
 class Watch:
-    """One program under watch. `observe` makes the recording; the program then goes on until the watch is left.
+    """A watch of one program. `observe` makes the recording; the program then keeps running until the block ends.
 
-    A program is started as its author starts it. With the "simulated" clock it is switched to simulated time once its
-    nodes spin; where that cannot be done, it is watched on the wall clock from then on. `keep_watching` extends the
-    life of a program that was observed on the wall clock.
+    A program is started as its author would start it. With the "simulated" clock, it's switched to simulated time once
+    its nodes spin. If that isn't possible, it's watched on the wall clock from then on. `keep_watching` extends the
+    watch of a program that was observed on the wall clock.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Watch:
         self._switch = TimeSwitch(self._session, from_start=from_start) if clock == "simulated" else None
         self._process = self._session.process
         self._recorder = self._session.recorder
-        self._phases: tuple[Phase, ...] = ()
+        self._stretches: tuple[Stretch, ...] = ()
         self._following: dict[str, bool] = {}
         self._in_lockstep = False
         self._simulated = False
@@ -53,9 +53,9 @@ class Watch:
         self._matched_wall: float | None = None
 
     def observe(self, cancel_soak: Callable[[], bool] = lambda: False) -> Recording:
-        """Watch the program as planned and return the recording. Does not end the program.
+        """Watch the program as planned and return the recording. Don't end the program.
 
-        `cancel_soak` is asked again and again while it is watched on the wall clock, and cuts that short.
+        On the wall clock, `cancel_soak` is called repeatedly. If it returns True, the watch ends early.
         """
         if wait_for_first_sign(self._session):
             until = time.monotonic() + ANSWERS_WITHIN_S
@@ -76,7 +76,10 @@ class Watch:
         return self._with_what_is_kept(self.recording())
 
     def _with_what_is_kept(self, recording: Recording) -> Recording:
-        """The recording, with what a late subscription gets. The watch is over by then, because it takes a moment."""
+        """Add the number of messages that a late subscription receives to the recording.
+
+        This takes a moment, so it happens after the watch.
+        """
         kept = self._recorder.kept_until_now() if self._process.is_running() else {}
         late = {name: replace(recording.topic(name), kept=count) for name, count in kept.items()}
         return replace(recording, topics={**recording.topics, **late})
@@ -92,7 +95,7 @@ class Watch:
     def _run_simulated_time(self, clock: SimulatedClock) -> None:
         with closing(SimulatedRun(self._session, clock)) as simulated_time:
             self._judged_until = simulated_time.run_as_planned()
-            self._phases = tuple(simulated_time.phases)
+            self._stretches = tuple(simulated_time.stretches)
             self._in_lockstep = simulated_time.in_lockstep
             simulated_time.run_longer()
             self._outpaced = simulated_time.outpaced
@@ -103,7 +106,7 @@ class Watch:
         if clock is not None or self._plan.script:
             let_it_match_us(self._session)
         if clock is not None and self._plan.script and not self._plan.paced:
-            self._recorder.take()  # nothing may come before the script begins
+            self._recorder.take()  # no message may arrive before the script begins
         else:
             self._recorder.discard()
         if clock is not None:
@@ -115,9 +118,9 @@ class Watch:
     def keep_watching(
         self, wall_s_after_match: float, cancel_soak: Callable[[], bool] = lambda: False
     ) -> bool:
-        """Let a program on the wall clock live until so many seconds after it was matched. Returns whether it did.
+        """Keep a program on the wall clock running until `wall_s_after_match` (s) after it was matched.
 
-        Returns early when the program ends by itself, and False when `cancel_soak` says so.
+        Return True after that time or as soon as the program ends by itself, and False if `cancel_soak` returns True.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         while (left := until - time.monotonic()) > 0 and self._process.is_running():
@@ -129,11 +132,11 @@ class Watch:
         return True
 
     def with_its_nodes(self, recording: Recording) -> Recording:
-        """The recording, with the nodes that were seen up to now."""
+        """Return the recording with all nodes seen so far."""
         return replace(recording, nodes=self._recorder.nodes())
 
     def recording(self) -> Recording:
-        """Everything seen up to now."""
+        """Return a recording of everything seen so far."""
         end = self._end()
         if self._process.is_running():
             self._recorder.look_at_services()
@@ -145,8 +148,8 @@ class Watch:
         return Recording(
             clock="simulated" if self._simulated else "wall",
             domain_id=self._session.place.domain_id,
-            phases=self._phases,
-            simulated_s=round(end, 6),
+            stretches=self._stretches,
+            watched_s=round(end, 6),
             wall_s=round(time.monotonic() - self._process.started_at, 4),
             topics=self._recorder.topics(end),
             nodes=self._recorder.nodes(),
@@ -170,7 +173,7 @@ class Watch:
         )
 
     def _end(self) -> float:
-        """Until when (s of simulated time) what was seen is judged."""
+        """Return the simulated time (s) up to which the recording is judged."""
         if self._matched_wall is None:
             return 0.0
         if self._judged_until is not None:
@@ -180,10 +183,10 @@ class Watch:
     def finish(
         self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
     ) -> Recording:
-        """End the program with SIGINT and return `recording` with how it ended.
+        """End the program with SIGINT, and return `recording` with how it ended.
 
-        After `patience_s` (s) it is killed. With `look_who_stays` the graph is watched afterwards: a program that ends
-        well takes its nodes along.
+        After `patience_s` (s), the program is killed. With `look_who_stays`, the graph is watched afterward, because a
+        program that ends properly takes its nodes off the graph.
         """
         self._end_process(patience_s)
         if not look_who_stays:
@@ -191,7 +194,7 @@ class Watch:
         if self._session.context.ok():
             self._recorder.look_who_stays(GONE_S)
             nodes = self._recorder.nodes()
-            if any(node.stayed for node in nodes):  # the next program must not meet what is left of this one
+            if any(node.stayed for node in nodes):  # the next program must not meet these nodes
                 self._session.close()
                 self._session.place.move()
         else:
@@ -204,7 +207,7 @@ class Watch:
         if self._switch is None or self._switch.is_real:
             self._process.stop(patience_s)
         else:
-            # If it waits for its next timer, which /clock must make due, it hears of Ctrl-C only then.
+            # If the program waits for a timer, it handles Ctrl-C only when /clock makes the timer due.
             if self._session.clock is not None:
                 self._session.clock.run_at(1.0)
             self._process.stop(patience_s, self._switch.keep_time)

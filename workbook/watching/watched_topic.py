@@ -1,4 +1,4 @@
-"""One topic while it is being recorded, and what of it goes into the recording."""
+"""Record one topic: keep its messages, and convert them to a TopicRecording."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -16,19 +16,20 @@ NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 LARGEST_MESSAGE_BYTES = 4_000_000
 SHOWN_BYTES = 1_000
 MOST_NOTED = 2_000
-"""So many messages that are not kept are counted, with the moments at which they came."""
+"""At most this many messages that aren't kept are counted, with their arrival times."""
 LARGE_MESSAGE_BYTES = 16_000
-"""A larger message is decoded at once, so that only what is kept of it takes memory."""
+"""Larger messages are decoded right away, so that only their kept part uses memory."""
 LARGE_COSTS = 1 / 50
-"""Share of its size that a large message takes of the room for its topic, besides what is kept of it: reading it takes
-time."""
+"""The share of a large message's size that counts toward its topic's quota, in addition to the kept part, because
+decoding takes time.
+"""
 AWAITED_COSTS = 1 / 1000
-"""The same of a topic for which an exercise has said what to keep of large fields. Ten seconds of a camera (640 by 480
-pixels, 30 images a second) then take half of the usual room."""
+"""The same share if an exercise declares features of the topic's large fields. Ten seconds of camera images (640 by 480
+pixels, 30 Hz) then take half of the usual quota."""
 
 
 class RawArrival(NamedTuple):
-    """A message as it came: in simulated time, wall time, when it was sent (s), and its bytes or its large value."""
+    """A message's arrival in simulated and wall time (s), when it was sent (wall time, s), and bytes or large value."""
 
     t: float
     wall: float
@@ -39,7 +40,7 @@ class RawArrival(NamedTuple):
 
 @dataclass
 class WatchedTopic:
-    """One topic while it is being recorded."""
+    """A topic during its recording."""
 
     name: str
     quota: MessageQuota
@@ -58,7 +59,7 @@ class WatchedTopic:
     looks: int = 0
 
     def keep(self, t: float, wall: float, sent: float, raw: bytes) -> None:
-        """Keep a message, or when it came, if it is broken or there is no room for it. `t`: simulated time (s)."""
+        """Keep a message or, if it's broken or doesn't fit the quota, only its arrival time `t` (simulated time, s)."""
         if len(raw) > LARGEST_MESSAGE_BYTES:
             self._note(self.too_large, t)
         elif len(raw) <= LARGE_MESSAGE_BYTES:
@@ -72,7 +73,7 @@ class WatchedTopic:
                 self.came.append(RawArrival(t, wall, sent, b"", value))
 
     def _has_room(self, size: int, t: float, messages: int = 1) -> bool:
-        """Take so much of the room. What comes once it is used up is not kept, however small."""
+        """Take `size` from the quota, and return whether it fits. If not, no later message is kept, however small."""
         if self.quota.take(size, messages):
             return True
         self._note(self.without_room, t)
@@ -84,57 +85,57 @@ class WatchedTopic:
             moments.append(t)
 
     def decoded(self, raw: bytes) -> Any | None:
-        """A message as plain data; None if the bytes are none of the type of this topic."""
+        """Decode a message to plain data; None if the bytes don't fit the topic's type."""
         message_type = None if self.subscribed_type is None else known_class(self.subscribed_type)
         try:
             message = deserialize_message(raw, message_type)
             return with_features(plain(message), message, self.features)
-        except Exception:  # bytes that are not trusted: whatever goes wrong, they are no message
+        except Exception:  # untrusted bytes: after any error, they count as undecodable
             return None
 
     def latest(self) -> Any | None:
-        """The last message as plain data; None for one that is broken or too large to be shown."""
+        """Return the last message as plain data; None if it's broken or too large to show."""
         last = self.came[-1]
         value = self.decoded(last.raw) if last.value is None else last.value
         return value if bytes_kept(value) <= SHOWN_BYTES else None
 
     def forget(self) -> None:
-        """Drop what has come so far."""
+        """Drop the messages that have arrived so far."""
         for moments in (self.came, self.undecodable, self.too_large, self.without_room):
             moments.clear()
         self.quota.clear()
 
     def is_known(self) -> bool:
-        """Whether all that can be known of its endpoints is known."""
+        """Return whether all endpoints' nodes are known and our subscription, if any, is matched."""
         ends: list[PublisherSeen | SubscriberSeen] = [*self.publishers.values(), *self.subscribers.values()]
         named = not any(end.node.endswith(NODE_UNKNOWN) for end in ends)
         return named and (self.subscription is None or self.matched_at is not None)
 
 
 def full_name(namespace: str, name: str) -> str:
-    """The fully qualified name of a node; the namespace may end with a slash."""
+    """Return a node's fully qualified name. The namespace may end with a slash."""
     return f"{namespace.rstrip('/')}/{name}"
 
 
 def gid_of(info: Any) -> bytes:
-    """The DDS identifier of an endpoint."""
+    """Return an endpoint's DDS identifier (GID)."""
     return bytes(info.endpoint_gid)
 
 
 def deadline_of(info: Any) -> float | None:
-    """The deadline of an endpoint (s); None if it has none."""
+    """Return an endpoint's deadline (s); None if it has none."""
     deadline = info.qos_profile.deadline
     return None if deadline.nanoseconds >= Infinite.nanoseconds else deadline.nanoseconds / 1e9
 
 
 def lifespan_of(info: Any) -> float | None:
-    """How long (s) a publisher keeps a message for others; None if for ever."""
+    """Return a publisher's lifespan (s), after which its messages expire; None if they don't."""
     lifespan = info.qos_profile.lifespan
     return None if lifespan.nanoseconds >= Infinite.nanoseconds else lifespan.nanoseconds / 1e9
 
 
 def finished(watched: WatchedTopic, end: float) -> TopicRecording:
-    """Decode what came on a topic from the start to simulated time `end` (s)."""
+    """Decode a topic's messages from the start to simulated time `end` (s)."""
     arrivals: list[Arrival] = []
     undecodable = [t for t in watched.undecodable if t <= end]
     too_large = [t for t in watched.too_large if t <= end]

@@ -1,4 +1,4 @@
-"""`workbook check --watch`: judging an answer again at each save. `workbook.cli.check` imports it when it is asked for.
+"""`workbook check --watch`: judge an answer again after each save. `workbook.cli.check` imports this package on demand.
 
-It is no module of `workbook.cli` itself, because those are imported for every command.
+The modules aren't directly in `workbook.cli`, because every command imports all modules there.
 """

@@ -1,4 +1,4 @@
-"""`workbook check --watch`: judges an answer again at each save, in a slot that stays warm."""
+"""`workbook check --watch`: judge an answer again after each save, in a slot that stays warm."""
 
 import os
 import sys
@@ -23,15 +23,15 @@ from workbook.grading.slots.protocol import Progress
 from workbook.inside.proc import pids, process_tree
 
 LOOK_S = 0.1
-"""So often the file is looked at. One that has not changed from one look to the next was written to its end."""
+"""Polling period (s). If the file is unchanged between two polls, it was written completely."""
 END_S = 5.0
-"""So long what was started may take to end, after it was told to."""
+"""Time (s) that our child processes have to end after `_end_all` closes the slot."""
 
 Signature = tuple[int, ...] | None
 
 
 def signature(file: Path) -> Signature:
-    """What changes with each save of a file; None while it is missing, as when an editor is about to replace it."""
+    """Return a value that changes with each save; None while the file is missing, as when an editor replaces it."""
     try:
         state = file.stat()
     except OSError:
@@ -39,21 +39,13 @@ def signature(file: Path) -> Signature:
     return state.st_mtime_ns, state.st_size, state.st_ino
 
 
-def so_far(progress: Progress) -> str:
-    """How far a judgement is, in a few words."""
-    if progress.place:
-        return f"{progress.place} answers before yours" if progress.place > 1 else "1 answer before yours"
-    came = (f"{count} on {topic}" for topic, count in progress.messages.items())
-    return ", ".join((f"{progress.simulated_s:.1f} s", *came))
-
-
 class _SavedAgain(Exception):
-    """The file was saved again before this answer had its next try."""
+    """The file was saved again before the answer's next try."""
 
 
 @dataclass
 class Watched:
-    """The answer that is watched. `note` keeps each judgement in the student's progress; `seed`: see `Judge.judge`."""
+    """The watched answer. `note` stores each judgment in the student's progress. For `seed`, see `Judge.judge`."""
 
     source: ExerciseSource
     file: Path
@@ -63,7 +55,7 @@ class Watched:
 
 
 class WatchMode:
-    """Judges at each save until Ctrl-C or `q`; `run` returns the exit code of the last judgement."""
+    """Judges the answer after each save until Ctrl-C or `q`."""
 
     def __init__(self, watched: Watched, screen: WatchScreen) -> None:
         self._watched = watched
@@ -77,7 +69,7 @@ class WatchMode:
         self._judged_text: str | None = None
 
     def run(self) -> int:
-        """Watch and judge. Nothing that was started stays behind."""
+        """Watch and judge, and leave no process behind. Return the exit code of the last judgment."""
         try:
             with self._screen.keys():
                 self._judge()
@@ -91,7 +83,7 @@ class WatchMode:
         return self._code
 
     def _end_all(self) -> None:
-        """End the slot and what it has started; at once, if it is at work."""
+        """Close the slot, even while it's judging, and wait for its processes to end."""
         started = process_tree(os.getpid())[1:]
         warm_slots.close()
         deadline = time.monotonic() + END_S
@@ -101,7 +93,7 @@ class WatchMode:
     # --- waiting ------------------------------------------------------------------------------------------------
 
     def _waited_for_save(self) -> bool:
-        """Wait until the file was saved, or someone asks for another check. False: for the end."""
+        """Wait for a save or the `c` key, and return True. Return False if the user quits."""
         before = signature(self._watched.file)
         while True:
             key = self._screen.key(LOOK_S)
@@ -119,7 +111,7 @@ class WatchMode:
             before = now
 
     def _holds_another(self) -> bool:
-        """Whether the file holds another program than was judged last. `%start` and `%check` only touch it."""
+        """Return whether the program differs from the last judged one. `%start` and `%check` save it unchanged."""
         try:
             return read_answer(self._watched.file, self._watched.source.stem).text != self._judged_text
         except (Ungradable, OSError):
@@ -156,7 +148,7 @@ class WatchMode:
         self._show(self._text(judgement), *filter(None, notes), *self._keys())
 
     def _judged(self, answer: Answer) -> Judgement:
-        """Judge on the warm slot. Raises _SavedAgain when a try that was in doubt is out of date."""
+        """Judge in the warm slot. Raises _SavedAgain if the file was saved again since the previous try."""
         if signature(self._watched.file) not in (self._seen, None):
             raise _SavedAgain
         job = Job("", self._watched.source.stem, answer, seed=self._watched.seed)
@@ -170,14 +162,14 @@ class WatchMode:
         )
 
     def _report(self, judgement: Judgement) -> None:
-        """Show what is known before the last word on it."""
+        """Show a provisional judgment."""
         self._doing = "Still watching your program ..."
         self._show(self._text(judgement), self._doing)
 
     def _progress(self, progress: Progress) -> None:
-        """Show how far the slot is, where one text replaces the other."""
+        """Show the slot's progress, but only on a terminal, where the new text replaces the old one."""
         if self._screen.is_terminal:
-            self._screen.show(self._shown, f"{self._doing} {so_far(progress)}")
+            self._screen.show(self._shown, f"{self._doing} {progress}")
 
     # --- showing ------------------------------------------------------------------------------------------------
 
@@ -189,7 +181,7 @@ class WatchMode:
         self._screen.show(text, *notes)
 
     def _change(self, judgement: Judgement) -> str:
-        """What this save has changed, in points."""
+        """Return the change in points since the previous save."""
         if judgement.status != "graded":
             return ""
         points, before = wording.shown_points(judgement)[0], self._points

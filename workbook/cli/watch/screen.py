@@ -1,4 +1,4 @@
-"""The one screen of `workbook check --watch`: what it shows, and the keys that it takes."""
+"""The screen of `workbook check --watch`, and the keys that it accepts."""
 
 import contextlib
 import os
@@ -12,18 +12,18 @@ from collections.abc import Iterator
 from workbook.cli import terminal
 
 _CLEAR = "\x1b[H\x1b[2J\x1b[3J"
-"""Cursor to the first place, clear the screen, forget what was scrolled away."""
+"""Move the cursor to the top left, clear the screen, and delete the scrollback."""
 
 
 class WatchScreen:
-    """Shows one text at a time: on a terminal each replaces the one before it, elsewhere they follow one another."""
+    """Shows one text at a time. On a terminal, each text replaces the previous one; elsewhere, they're appended."""
 
     def __init__(self) -> None:
         self.is_terminal = sys.stdout.isatty()
         self.takes_keys = self.is_terminal and sys.stdin.isatty()
 
     def show(self, text: str, *notes: str) -> None:
-        """Show a text and, below it, notes, which stay in sight however long the text is."""
+        """Show a text with notes below it. On a terminal, shorten the text so that the notes stay visible."""
         below = "\n".join(terminal.wrapped(note) for note in notes)
         if self.is_terminal:
             rows = shutil.get_terminal_size().lines - below.count("\n") - 3
@@ -34,7 +34,7 @@ class WatchScreen:
 
     @contextlib.contextmanager
     def keys(self) -> Iterator[None]:
-        """Let each key come through at once, without being shown; afterwards the terminal is as it was."""
+        """Make the terminal deliver each key right away, without echo. Restore its settings afterward."""
         if not self.takes_keys:
             yield
             return
@@ -48,19 +48,19 @@ class WatchScreen:
             termios.tcsetattr(sys.stdin, termios.TCSANOW, before)
 
     def key(self, wait_s: float) -> str:
-        """The key that was pressed within `wait_s` s; empty when there was none."""
+        """Wait up to `wait_s` seconds for a key, and return it; "" if none was pressed."""
         if not self.takes_keys:
             time.sleep(wait_s)
             return ""
         if not select.select([sys.stdin], [], [], wait_s)[0]:
             return ""
         pressed = os.read(sys.stdin.fileno(), 100).decode(errors="replace")
-        self.takes_keys = bool(pressed)  # a terminal that was closed is always ready, and has nothing
+        self.takes_keys = bool(pressed)  # a closed terminal is always readable, but returns nothing
         return pressed[-1:]
 
 
 def fitted(text: str, rows: int) -> str:
-    """As much of a text as fits into `rows` lines."""
+    """Return the text, cut to `rows` lines. If it's cut, the last line says how many lines are missing."""
     lines = text.split("\n")
     if len(lines) <= rows:
         return text

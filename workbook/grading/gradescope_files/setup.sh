@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gradescope runs this once, as root, when it builds the image of an autograder: it installs what the lock file names.
+# Gradescope runs this once, as root, when it builds an autograder's image. It installs the packages in the lock file.
 set -euo pipefail
 
 root="${AUTOGRADER_ROOT:-/autograder}"
@@ -29,7 +29,7 @@ if [ -z "$python" ]; then
     python="$(suitable)"
 fi
 if [ -z "$python" ]; then
-    # The image has no Python that the wheels are made for: uv brings one, to a place that everybody may read.
+    # The image has no Python version that the wheels support, so uv installs one, in a folder that everyone may read.
     export UV_PYTHON_INSTALL_DIR=/opt/python
     python3 -m pip install --quiet uv
     python3 -m uv python install 3.12

@@ -1,4 +1,4 @@
-"""Slots as their owner sees them: start one, or have it forked, give it an answer, and get a judgement."""
+"""Implement the owner's side of a slot: start or fork one, send it an answer, and receive the judgment."""
 
 import contextlib
 import os
@@ -35,31 +35,32 @@ from workbook.programs.fork_client import ForkedProgram, NotForked, request_fork
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
-"""On a slot that always gets a processor. One that has to wait for it has longer; see `SlotHealth.slowed_by`."""
+"""Applies to a slot that always has a processor. A slot that waits for one gets more time; see `SlotHealth.slowed_by`.
+"""
 SLOT_MODULE = ("-m", "workbook.grading.slots.worker")
 KILLED_S = 30.0
-"""So long a killed slot may take to go, with what its answer has left."""
+"""How long (s) a killed slot and its answer's leftover processes may take to end."""
 SERVER_MODULE = ("-m", "workbook.grading.slots.forking")
 UNTRIED = "no slot has tried it yet"
 TRIAL_S = 60.0
 END_S = 5.0
 FORKED_S = 30.0
-"""The first slot waits for the server's start."""
+"""In seconds, including the server's start, for which the first slot waits."""
 
 ShowProgress = Callable[[Progress], None]
 
 
 class SlotBroken(RuntimeError):
-    """The slot ended or did not answer in time. The message says which; the answer was not judged."""
+    """The slot ended or didn't respond in time. The message says which. The answer wasn't judged."""
 
 
 class NotBegun(SlotBroken):
-    """The slot could not begin: no answer is to blame. The message says why."""
+    """The slot couldn't begin, so no answer is to blame. The message says why."""
 
 
 def slot_environment(own_criteria: Path | None) -> dict[str, str]:
-    """What a slot is started with."""
-    # A slot makes its own log folder. One of ours would stay behind if we were killed.
+    """Return the environment for starting a slot."""
+    # A slot creates its own log folder. If we created one and were killed, it would stay behind.
     environ = child_environment(0, log_folder=Path(os.devnull))
     del environ["ROS_DOMAIN_ID"]
     for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
@@ -72,7 +73,7 @@ def slot_environment(own_criteria: Path | None) -> dict[str, str]:
 
 
 class ForkedSlot:
-    """A slot that the server has forked, with the part of `subprocess.Popen` that its owner uses."""
+    """A slot forked by the server. Implements the part of `subprocess.Popen` that the slot's owner uses."""
 
     def __init__(self, child: ForkedProgram, stdin: IO[bytes], stdout: IO[bytes]) -> None:
         self._child = child
@@ -80,25 +81,26 @@ class ForkedSlot:
         self.stdin, self.stdout = stdin, stdout
 
     def close(self) -> None:
-        """Close its pipes."""
+        """Close the slot's pipes."""
         self.stdin.close()
         self.stdout.close()
 
     def poll(self) -> int | None:
-        """The exit code (negative: the signal that ended it), or None while it, or what it left, is there."""
+        """Return the exit code (negative: a signal's number); None while the slot or its leftover processes exist."""
         return self._child.poll()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the slot's end. Raises subprocess.TimeoutExpired after `timeout` s."""
         code = self._child.wait(timeout)
         self._child.close()
         return code
 
 
 class SlotServer:
-    """The process from which the slots of one run are forked, in one tier. For use by several threads.
+    """The process that forks one run's slots, all in one tier. Thread-safe.
 
-    `environ`: what each slot finds in its environment. It starts without waiting; see `fork`. Raises NoSandbox.
+    `environ`: the environment for each slot. The constructor doesn't wait for the server to start; see `fork`. Raises
+    NoSandbox.
     """
 
     def __init__(self, isolation: Isolation, environ: Mapping[str, str]) -> None:
@@ -126,23 +128,23 @@ class SlotServer:
 
     @property
     def pid(self) -> int:
-        """The process that stands for it here: its tree holds the slots."""
+        """The server's local process, whose process tree contains the slots."""
         return self._process.pid
 
     @property
     def is_tried(self) -> bool:
-        """Whether it is known if slots can be forked: until then, all wait for that."""
+        """Whether forking has been tried. Until then, every caller waits for the first try."""
         return self._problem != UNTRIED
 
     @property
     def is_running(self) -> bool:
-        """Whether it can still be asked for slots."""
+        """Whether the server can still fork slots."""
         return self._process.poll() is None
 
     def fork(self, groups: LeasedGroups | None) -> ForkedSlot:
         """Fork a slot. `groups`: leased for it by the caller. Raises NotForked and OSError.
 
-        The first one tries out its tier, while others wait: a slot that was forked is in a sandbox in a sandbox.
+        The first slot tests its tier while others wait, because a forked slot runs in a sandbox within a sandbox.
         """
         with self._trial:
             if self._problem == UNTRIED:
@@ -161,7 +163,7 @@ class SlotServer:
         return self._fork(groups)
 
     def _tried(self, groups: LeasedGroups | None) -> tuple[ForkedSlot, str | None]:
-        """A slot, and what is wrong with its tier."""
+        """Fork a slot and let it test its tier. Return the slot, and the tier's problem if there is one."""
         with socket.create_server(("127.0.0.1", 0)) as listener:
             slot = self._fork(groups, listener.getsockname()[1])
             try:
@@ -190,7 +192,7 @@ class SlotServer:
         return ForkedSlot(child, os.fdopen(stdin, "wb"), os.fdopen(stdout, "rb"))
 
     def close(self) -> None:
-        """End the server, and the slots that are left."""
+        """End the server and its remaining slots."""
         self._channel.close()
         for number in (signal.SIGTERM, signal.SIGKILL):
             with contextlib.suppress(subprocess.TimeoutExpired):
@@ -206,12 +208,12 @@ class SlotServer:
 
 
 class Slot:
-    """A running slot process. Not for two threads at once.
+    """A running slot process. Not thread-safe.
 
-    `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
-    it is not the one that this process was told of. `port`: of a listener on this machine; the slot then tries first
-    whether the tier isolates (see `problem`). `server`: of the same tier and environment, to fork it from if it can.
-    Raises SlotBroken when "uid" finds no free user id.
+    `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, if it
+    differs from this process's. `port`: the port of a listener on this machine; if it's given, the slot first tests
+    whether the tier isolates (see `problem`). `server`: forks the slot if possible; it must have the same tier and
+    environment. Raises SlotBroken if the tier "uid" finds no free user id.
     """
 
     def __init__(
@@ -238,7 +240,7 @@ class Slot:
         self._lines = LineReader(self._process.stdout.fileno())
 
     def _forked(self, server: SlotServer | None) -> tuple[ForkedSlot, SlotHealth] | None:
-        """A process forked from the server; None if that does not work."""
+        """Fork a process from the server. Return None if that fails."""
         if server is None:
             return None
         try:
@@ -266,9 +268,11 @@ class Slot:
         return process, SlotHealth(process.pid, SLOT_MODULE)
 
     def problem(self, timeout_s: float) -> str | None:
-        """Why its tier does not isolate here; None when it does. Only before the first job, of a slot that tries it.
+        """Return why the slot's tier doesn't isolate on this machine; None if it does.
 
-        Raises SlotBroken when it does not get that far within `timeout_s` s.
+        Call it before the first job, on a slot that tests its tier.
+
+        Raises SlotBroken if the slot hasn't finished the test after `timeout_s` s.
         """
         self._health.begin()
         found = self._read_line(time.monotonic(), timeout_s)["problem"]
@@ -280,7 +284,7 @@ class Slot:
         return self._process.poll() is None
 
     def _read_line(self, began: float, timeout_s: float) -> Message:
-        """The next message. `timeout_s`: from the moment `began`, on a machine that is not busy."""
+        """Return the next message. `timeout_s` counts from `began` and assumes an idle machine."""
         while True:
             left = began + timeout_s - time.monotonic()
             if left <= 0:
@@ -292,7 +296,7 @@ class Slot:
             except EOFError:
                 raise SlotBroken(f"the slot ended with code {self._process.wait()}") from None
             except ValueError as error:
-                raise SlotBroken(f"the slot sent what is no message: {error}") from error
+                raise SlotBroken(f"the slot sent an invalid message: {error}") from error
             if message is None:
                 problem = self._health.problem()
                 if problem is not None:
@@ -312,9 +316,9 @@ class Slot:
         report: Report | None = None,
         progress: ShowProgress | None = None,
     ) -> Judgement:
-        """Judge one answer; see `Judge.judge`. Raises SlotBroken; use a new slot then.
+        """Judge one answer; see `Judge.judge`. If it raises SlotBroken, use a new slot.
 
-        `progress` is told several times a second how far it is.
+        `progress` is called several times a second.
         """
         order = JudgingOrder(stem, answer.text, soak, seed, progress is not None)
         self._health.begin()
@@ -322,7 +326,7 @@ class Slot:
         try:
             self._send(line_of(order))
         except OSError as error:
-            self._read_line(began, ANSWER_DEADLINE_S)  # it may have said why
+            self._read_line(began, ANSWER_DEADLINE_S)  # the slot may have sent the reason
             raise SlotBroken("the slot is gone") from error
         while True:
             message = self._read_line(began, ANSWER_DEADLINE_S)
@@ -342,12 +346,12 @@ class Slot:
         self._process.stdin.flush()
 
     def cancel_soak(self) -> None:
-        """Cut short the real seconds for which a judged program is watched. May be called from any thread."""
+        """Cut short the real seconds for which a judged program is watched. Thread-safe."""
         with contextlib.suppress(OSError, ValueError):
             self._send(line_of(ENOUGH))
 
     def close(self) -> None:
-        """End the slot: it stops when its input closes; what does not stop within two seconds is killed."""
+        """End the slot by closing its input. If it hasn't ended after two seconds, kill it."""
         if self._process.stdin is not None:
             try:
                 self._process.stdin.close()
@@ -362,22 +366,22 @@ class Slot:
             self._process.stdout.close()
 
     def kill(self) -> None:
-        """End the slot at once, and the program that it watches with all its children."""
+        """End the slot right away, including the program that it watches and all its child processes."""
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(self._process.pid, signal.SIGKILL)
-        with contextlib.suppress(subprocess.TimeoutExpired):  # then its server is stuck
+        with contextlib.suppress(subprocess.TimeoutExpired):  # if it expires, the slot's server is stuck
             self._process.wait(KILLED_S)
         kill_programs_of(self._process.pid)
         self._sweep()
 
     def _sweep(self) -> None:
-        """Remove the memory cgroups of this slot, end what runs under its user id, and give the id back."""
+        """Remove the slot's memory cgroups, end processes with its user id, and release the id."""
         if self._groups is not None:
             self._groups.remove()
         if self._ids is not None:
             try:
                 self._ids.sweep()
-            except StillThere:  # then nobody else shall have this id while the grader runs
+            except StillThere:  # no other slot may get this id while one of its processes runs
                 return
             self._ids.release()
             self._ids = None

@@ -1,15 +1,15 @@
-"""Forks slots: Python, the judge and rclpy are imported once, and not again for every slot.
+"""Fork slots, so that Python, the judge, and rclpy are loaded only once.
 
     python -m workbook.grading.slots.forking CHANNEL TIER
 
-CHANNEL is the number of an inherited socket. On it comes one request after another (see `SlotRequest`), each with three
-descriptors: where to report the status of the slot, and its standard input and output. The status is its process
-number, as soon as it is in its sandbox; and how it ended (as `os.waitpid` has it), when it has and nothing of it is
-left. Before that comes an empty line: a slot that ends too early has no number, and how it ended must not be taken for
-one.
+CHANNEL is the file descriptor of an inherited socket. It carries requests (see `SlotRequest`), each with three
+descriptors: for the slot's status, its standard input, and its standard output. Once the slot is in its sandbox, its
+process id is reported. After all of its processes have ended, an empty line and the slot's exit status (from
+`os.waitpid`) follow. A slot that ends too early reports no process id. The empty line then keeps the exit status from
+being read as the process id.
 
-With the tier "sandbox" this process is in an outer sandbox of its own, and each slot gets another one: an empty one is
-made, and the forked process enters it.
+In the tier "sandbox", this process runs in an outer sandbox, and each slot gets its own. We create an empty sandbox,
+and the forked process enters it.
 """
 
 import os
@@ -40,19 +40,19 @@ from workbook.ros.environment import child_environment
 
 DESCRIPTORS = 3
 SEEDS = 2
-"""So many fork servers for programs: each has its own seed for the hashes of strings. See `SandboxTier`."""
+"""The number of fork servers for programs. Each has a different seed for string hashes; see `SandboxTier`."""
 LAST_WORDS_S = 2.0
-"""So long slots may take to end in order when this process is told to end."""
+"""How long (s) slots have for an orderly exit when this process is asked to end."""
 POLL_S = 0.01
 FAILED = 125
-"""Exit code of a slot that could not enter its sandbox."""
+"""Exit code of a slot that couldn't enter its sandbox."""
 
 
 @dataclass(frozen=True)
 class SlotRequest:
-    """One slot. `groups`: its folder for memory cgroups, None without them; `folder`: where it works.
+    """A request for one slot. `groups`: its folder for memory cgroups, or None. `folder`: its working directory.
 
-    `port`: of a listener on this machine, for a slot that tries out its tier first; None for the others.
+    `port`: the port of a listener on this machine, for a slot that first tests its tier; None for the others.
     """
 
     groups: str | None
@@ -61,7 +61,7 @@ class SlotRequest:
 
 
 class EmptySandbox:
-    """An outer sandbox that waits for a slot to enter it. Raises OSError when there is none."""
+    """An outer sandbox that waits for a slot to enter it. Raises OSError if it can't be created."""
 
     def __init__(self, groups: str | None) -> None:
         info_fd = os.memfd_create("what bubblewrap says about itself")
@@ -86,7 +86,7 @@ class EmptySandbox:
         self.first = first
 
     def close(self) -> None:
-        """End it, and what is in it with it."""
+        """End the sandbox, along with the slot in it."""
         self._process.kill()
         self._process.wait()
         forget(self._process.pid)
@@ -94,7 +94,7 @@ class EmptySandbox:
 
 @dataclass(frozen=True)
 class RunningSlot:
-    """A slot that was forked, what it is in, and where its end is reported."""
+    """A forked slot, its sandbox, and the descriptor for reporting its end."""
 
     pid: int
     status_fd: int
@@ -105,7 +105,7 @@ class RunningSlot:
 class SlotForker:
     """Forks slots of one tier, and reports how they end.
 
-    `zygotes`: the fork servers for their programs; `ended`: can be read when a child has ended.
+    `zygotes`: the fork servers for the slots' programs. `ended`: a descriptor that becomes readable when a child ends.
     """
 
     isolation: Isolation
@@ -116,15 +116,15 @@ class SlotForker:
     _lttng: LttngForkHooks = field(default_factory=LttngForkHooks)
 
     def work(self) -> None:
-        """Follow requests until the channel is closed. Returns in a slot as well, when that has ended."""
+        """Serve requests until the channel is closed. Also returns in each forked slot, once that slot has ended."""
         for asked, descriptors in requests(self.channel, self.ended, self._report_ended):
-            if len(descriptors) != DESCRIPTORS:  # there is no room for them in this process
+            if len(descriptors) != DESCRIPTORS:  # this process has no room for more descriptors
                 close_all(descriptors)
             elif self._fork(SlotRequest(**asked), descriptors):
                 return
 
     def _fork(self, request: SlotRequest, descriptors: Sequence[int]) -> bool:
-        """Fork a slot. Returns whether this is it, and it has ended."""
+        """Fork a slot. Return True in the slot, once it has ended, and False in this process."""
         status, *pipes = descriptors
         sandbox = None
         try:
@@ -141,7 +141,7 @@ class SlotForker:
             self._become_slot(request, descriptors, sandbox)
             return True
         exempt(pid)
-        os.setpgid(pid, pid)  # as it does itself: whoever comes first
+        os.setpgid(pid, pid)  # the child also does this, because either may run first
         close_all(pipes)
         self._running[pid] = RunningSlot(pid, status, sandbox)
         return False
@@ -149,7 +149,7 @@ class SlotForker:
     def _become_slot(
         self, request: SlotRequest, descriptors: Sequence[int], sandbox: EmptySandbox | None
     ) -> None:
-        """Be a slot, until it ends. Enters the sandbox before anything else, or ends."""
+        """Run as a slot until it ends. First enter the sandbox; if that fails, exit."""
         status, *pipes = descriptors
         os.close(signal.set_wakeup_fd(-1))
         os.close(self.ended)
@@ -178,7 +178,7 @@ class SlotForker:
         serve(self.isolation, port=request.port, groups=groups, servers=servers)
 
     def _report_ended(self) -> None:
-        """Reap slots that have ended, end what they have left, and report them."""
+        """Reap slots that have ended, end their leftover processes, and report the exit statuses."""
         for slot in [*self._running.values()]:
             with suppress(ChildProcessError):
                 pid, code = os.waitpid(slot.pid, os.WNOHANG)
@@ -198,7 +198,7 @@ class SlotForker:
             print(error, file=sys.stderr, flush=True)
 
     def close(self) -> None:
-        """End all slots: in order if they do so at once."""
+        """End all slots. Kill those that don't exit by themselves in time."""
         for pid in self._running:
             with suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGTERM)
@@ -214,13 +214,13 @@ class SlotForker:
 
 
 def _end(*_: object) -> None:
-    """End in order, and only once."""
+    """Exit in an orderly way, and only once."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise SystemExit(0)
 
 
 def main() -> None:
-    """Import what slots need, then fork a slot for each request until the channel is closed."""
+    """Import everything that slots need. Then fork a slot per request until the channel is closed."""
     channel, isolation = socket.socket(fileno=int(sys.argv[1])), named_tier(sys.argv[2])
     adopt_orphans()
     set_parent_death_signal(signal.SIGTERM)

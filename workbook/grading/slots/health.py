@@ -1,4 +1,4 @@
-"""Whether the process that judges is still able to: what it takes of memory, and whether it gets anywhere."""
+"""Check whether a slot is healthy: how much memory it uses, and whether it makes progress."""
 
 import os
 import sys
@@ -14,18 +14,23 @@ from workbook.inside.proc import (
 )
 
 SLOT_BYTES = 1_000_000_000
-"""Memory that a slot may take itself, without the program that it judges. Measured: 130 MB with all that it keeps."""
+"""The most memory (bytes) for a slot without the program that it judges. A slot with full caches uses 130 MB
+(measured).
+"""
 STUCK_S = 2.5
-"""So much processor time (s) the other threads of a slot may use while its main thread does not run even once. It runs
-many times a second, whatever it waits for, unless DDS never gives back a lock."""
+"""The most processor time (s) for a slot's other threads while its main thread doesn't run once. The main thread runs
+many times a second, even while waiting, unless DDS never releases a lock.
+"""
 MOST_SLOWED = 3.0
-"""The most that is believed of a busy machine: an answer that keeps all processors busy itself gains no more time."""
+"""The largest factor that we accept for a busy machine. Without this cap, an answer that keeps all processors busy
+would gain more time.
+"""
 
 
 class SlotHealth:
-    """Watches the process that judges, from outside: `pid`, or one below it whose command line begins with `command`.
+    """Watches the judging process from outside: `pid`, or a descendant whose command line begins with `command`.
 
-    A tier may have put it into a sandbox of its own.
+    The tier may have put that process into a separate sandbox.
     """
 
     def __init__(self, pid: int, command: Sequence[str] | None = None) -> None:
@@ -37,7 +42,7 @@ class SlotHealth:
         self._before = (0.0, 0.0)
 
     def problem(self) -> str | None:
-        """Why the slot cannot be relied on any more; None when it can."""
+        """Return why the slot is no longer reliable; None if it is."""
         judge = self._judge()
         if judge is None:
             return None
@@ -46,14 +51,15 @@ class SlotHealth:
         return "the slot made no more progress" if self._is_stuck(judge) else None
 
     def begin(self) -> None:
-        """From now on, `slowed_by` counts."""
+        """Start measuring for `slowed_by`."""
         judge = self._judge()
         self._before = (0.0, 0.0) if judge is None else ran_and_waited_s(judge)
 
     def slowed_by(self) -> float:
-        """How many times as long the slot has taken since `begin` because others had the processors: 1 to MOST_SLOWED.
+        """Return how many times longer the slot took since `begin` because other processes used the processors.
 
-        Counted for its main thread, which has run for some of the time and waited for a processor for some.
+        The factor is between 1 and MOST_SLOWED. It compares the time for which the slot's main thread ran with the time
+        for which it waited for a processor.
         """
         judge = self._judge()
         if judge is None:
@@ -69,9 +75,9 @@ class SlotHealth:
         return self._judge_pid
 
     def _is_stuck(self, judge: int) -> bool:
-        """Whether DDS has been at work all the time since the main thread ran last, and for too long.
+        """Return whether DDS has used too much processor time since the main thread last ran.
 
-        Packets of an answer can keep it there for ever, in a lock that the main thread waits for.
+        Packets from an answer can keep DDS busy forever while it holds a lock that the main thread needs.
         """
         ran, used = times_main_thread_ran(judge), processor_seconds([judge])
         if ran is None or used is None:

@@ -1,4 +1,4 @@
-"""The pool of warm slots, and judging one answer on one of them, or on another one when it breaks."""
+"""Keep a pool of warm slots, and judge an answer on one of them. If that slot breaks, use another one."""
 
 import atexit
 import fcntl
@@ -28,15 +28,18 @@ from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation, meets_others
 
 FORKED: tuple[Isolation, ...] = ("sandbox", "limits")
-"""The tiers with many slots at once. In the others there is one, for which a server is not worth its start."""
+"""The tiers in which many slots run at the same time.
+
+The other tiers have one slot, so starting a server isn't worthwhile.
+"""
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
-"""How the reason begins why an answer is ungradable that breaks the slots that judge it, where others do not."""
+"""The prefix of the reason for an ungradable answer: it breaks slots, although slots can judge other answers."""
 LOOK = "Look at it yourself: it is not run again as long as it stays the same, unless you ask with --retry-stopped"
 
 
 class Kind(NamedTuple):
-    """What a slot must have in common with an answer to judge it. See `Slot`."""
+    """The properties that a slot must share with an answer to judge it. See `Slot`."""
 
     isolation: Isolation = "limits"
     own_criteria: Path | None = None
@@ -50,10 +53,10 @@ class _Idle:
 
 
 class SlotPool:
-    """Slots that stay warm between answers, and what they are forked from. For use by several threads.
+    """Keeps slots warm between answers, along with the servers that fork them. Thread-safe.
 
-    A slot that waits longer than `idle_s` for an answer is ended; None: it waits until the pool is closed. A slot that
-    is not forked ends with the thread that started it.
+    A slot that has been idle for longer than `idle_s` is ended; None keeps it until the pool is closed. A slot that
+    isn't forked ends with the thread that started it.
     """
 
     def __init__(self, idle_s: float | None = None) -> None:
@@ -68,7 +71,7 @@ class SlotPool:
         self._owner = os.getpid()
 
     def fork_from_now_on(self, kind: Kind) -> SlotServer | None:
-        """Fork the slots of this kind. Returns what from; None in a tier where that is not worth it or impossible."""
+        """Fork this kind's slots from now on. Return the server; None if forking is impossible or not worthwhile."""
         with self._turn:
             server = self._servers.get(kind)
             if server is not None and not server.is_running:
@@ -81,7 +84,7 @@ class SlotPool:
             return server
 
     def take_warm(self, kind: Kind) -> Slot | None:
-        """A warm slot, if one is free that is as good as a new one."""
+        """Return a free warm slot that's as good as a new one; None if there isn't one."""
         while True:
             with self._changed:
                 found = next((one for one in reversed(self._idle) if one.kind == kind), None)
@@ -94,11 +97,11 @@ class SlotPool:
             found.slot.close()
 
     def take(self, kind: Kind) -> Slot:
-        """A warm slot, or a new one. See `start`."""
+        """Return a warm slot, or a new one. See `start`."""
         return self.take_warm(kind) or self.start(kind)
 
     def start(self, kind: Kind) -> Slot:
-        """A new slot. Raises SlotBroken when "uid" finds no free user id."""
+        """Start a new slot and return it. Raises SlotBroken if the tier "uid" finds no free user id."""
         with self._changed:
             self._starting.append(kind)
             server = self._servers.get(kind)
@@ -122,32 +125,38 @@ class SlotPool:
             self._changed.notify_all()
 
     def drop(self, slot: Slot) -> None:
-        """End a broken slot at once."""
+        """End a broken slot right away."""
         with self._changed:
             self._at_work.pop(slot, None)
         slot.kill()
 
     def warm_up(self, kind: Kind) -> None:
-        """Have a slot for the next answer, unless one is at work."""
-        if kind not in self._at_work.values():
+        """Prepare a slot for the next answer, unless one is already at work."""
+        with self._changed:
+            is_at_work = kind in self._at_work.values()
+        if not is_at_work:
             self.give(kind, self.take(kind))
 
     def move(self, kind: Kind, other: "SlotPool") -> bool:
-        """Give a warm slot of this kind to another pool. Returns whether there is one."""
+        """Move a warm slot of this kind to another pool. Return whether there was one."""
         slot = self.take_warm(kind)
-        if slot is not None:
+        if slot is None:
+            return False
+        with self._changed:
             self._at_work.pop(slot)
-            other.give(kind, slot)
-        return slot is not None
+        other.give(kind, slot)
+        return True
 
     def cancel_soak(self) -> None:
         """Cut short the real seconds for which programs are watched."""
-        for slot in [*self._at_work]:
+        with self._changed:
+            at_work = [*self._at_work]
+        for slot in at_work:
             slot.cancel_soak()
 
     def close(self) -> None:
-        """End all slots, side by side, and what they were forked from. One that is at work is killed."""
-        if self._owner != os.getpid():  # they are not those of a fork
+        """End all slots in parallel, and then the servers. Slots that are at work are killed."""
+        if self._owner != os.getpid():  # in a forked process, these slots belong to the parent
             return
         with self._changed:
             idle, self._idle = self._idle, []
@@ -170,7 +179,7 @@ class SlotPool:
                 one.close()
 
     def _overdue(self) -> list[Slot | SlotServer]:
-        """Wait for slots that have waited too long. Returns them, and servers of which no slot is left."""
+        """Wait until a slot has been idle for too long. Return it, and the servers that have no slots left."""
         assert self._idle_s is not None
         with self._changed:
             while not self._idle or self._idle[0].since + self._idle_s > time.monotonic():
@@ -185,7 +194,7 @@ class SlotPool:
 
 
 def slot_server(isolation: Isolation, own_criteria: Path | None = None) -> SlotServer | None:
-    """What slots are forked from; None in a tier where that is not worth its start, or not possible."""
+    """Return a new server that forks slots; None if forking is impossible or not worthwhile in this tier."""
     if isolation not in FORKED:
         return None
     try:
@@ -195,7 +204,7 @@ def slot_server(isolation: Isolation, own_criteria: Path | None = None) -> SlotS
 
 
 warm_slots = SlotPool()
-"""The slots of whoever judges one answer at a time. A run over many answers has a pool of its own."""
+"""The slots for judging one answer at a time. A run over many answers has its own pool."""
 atexit.register(warm_slots.close)
 
 
@@ -210,11 +219,11 @@ def _file_of_turns() -> Path:
 
 @contextmanager
 def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: None) -> Iterator[None]:
-    """Wait until no other answer of this user is judged on this machine in a tier in which answers meet.
+    """Wait until this user judges no other answer on this machine, if answers meet in this tier.
 
-    Such an answer could speak on the domain of another one, or lease all domains. The kernel ends a turn with its
-    process. Without a cache that can be written, turns are within this process only. `show_place` is told how many come
-    before this one: all that wait in this process, and of those in another one a single one.
+    Such an answer could publish on another answer's domain, or lease all domains. The kernel ends a turn when its
+    process ends. Without a writable cache, turns apply only within this process. `show_place` receives the number of
+    turns ahead: all that wait in this process, plus at most one in another process.
     """
     if not meets_others(isolation):
         yield
@@ -232,7 +241,7 @@ def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: Non
         yield
     finally:
         if held is not None:
-            os.close(held)  # which unlocks it
+            os.close(held)  # closing releases the lock
         with _line_moves:
             _line.remove(ticket)
             _line_moves.notify_all()
@@ -246,7 +255,7 @@ def _wait_for_first_place(ticket: object, show_place: Callable[[int], None]) -> 
 
 
 def _lock(file: int, show_place: Callable[[int], None]) -> None:
-    with suppress(OSError):  # a file system without locks
+    with suppress(OSError):  # the file system may not support locks
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -272,7 +281,7 @@ def judge_warm(
     report: Report | None = None,
     progress: ShowProgress | None = None,
 ) -> Judgement:
-    """Judge an answer on a slot of the pool, which stays warm. See `judge_with_retry`."""
+    """Judge an answer on a slot from the pool, and keep the slot warm. See `judge_with_retry`."""
     slot, judgement = judge_with_retry(
         pool, pool.take_warm(kind), kind, job, soak=soak, report=report, progress=progress
     )
@@ -291,10 +300,10 @@ def judge_with_retry(
     report: Report | None = None,
     progress: ShowProgress | None = None,
 ) -> tuple[Slot | None, Judgement]:
-    """Judge a job on `slot`, which was taken from the pool, or on a new one. A broken one is replaced once.
+    """Judge a job on `slot`, which was taken from the pool, or on a new one. Replace a broken slot once.
 
-    If both slots break at this answer, and a new one judges a right answer, the answer is to blame: it is `ungradable`,
-    for the reason `STOPPED_JUDGE`. Else the fault is ours: `infra_error` and no slot.
+    If both slots break on this answer, but a new one judges a correct answer, this answer is to blame. It's then
+    `ungradable`, with the reason `STOPPED_JUDGE`. Otherwise, the error is ours: return `infra_error` and no slot.
     """
     reason = ""
     stopped = 0
@@ -312,7 +321,7 @@ def judge_with_retry(
                 return slot, slot.judge(
                     job.stem, job.answer, soak=soak, seed=job.seed, report=report, progress=progress
                 )
-            except Exception as error:  # whatever it is, the answer must not get lost
+            except Exception as error:  # no exception may lose the answer
                 reason = str(error) or type(error).__name__
                 stopped += at_work and isinstance(error, SlotBroken) and not isinstance(error, NotBegun)
                 if slot is not None:
@@ -326,14 +335,14 @@ def judge_with_retry(
 
 
 def _slot_that_judges(stem: str, pool: SlotPool, kind: Kind) -> Slot | None:
-    """A new slot that has just judged the reference answer of an exercise; None where that fails, or there is none."""
+    """Return a new slot that has just judged the reference answer; None if that fails or there's no such answer."""
     slot: Slot | None = None
     try:
         right = load_exercise(stem).source.solution_code
         slot = pool.start(kind)
         if slot.judge(stem, Answer(right), soak=False).status == "graded":
             return slot
-    except Exception:  # whatever it is, nothing is proved against the answer then
+    except Exception:  # whatever failed, it proves nothing against the answer
         pass
     if slot is not None:
         pool.drop(slot)

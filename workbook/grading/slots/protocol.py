@@ -1,9 +1,9 @@
-"""What a slot and its owner say to each other: lines of JSON.
+"""Define the messages between a slot and its owner: lines of JSON.
 
-An owner sends a `JudgingOrder`, and ENOUGH to cut short the real seconds for which a judged program is watched. The
-first line from a slot says that it is ready, and what is wrong with its tier if it was told to try it; or why it cannot
-begin: `{"broken": "No ROS domain is free…"}`. Then come for each order any number of lines with progress and with a
-judgement that is not the last one, and one line with `"final": true`.
+The owner sends a `JudgingOrder`. It sends ENOUGH to cut short the real seconds for which a judged program is watched.
+The slot's first line says that it's ready, or why it can't begin: `{"broken": "No ROS domain is free…"}`. If the slot
+was asked to test its tier, that line also reports the tier's problem. Then, for each order, the slot sends any number
+of lines with progress or preliminary judgments. The order's last line has `"final": true`.
 """
 
 import json
@@ -19,20 +19,22 @@ from workbook.exercise.serialization import judgement_from_json, judgement_to_js
 Message = Mapping[str, Any]
 
 LONGEST_LINE = 200_000_000
-"""Bytes. A judgement comes with its recording, for which a program may send 1 MB on each topic."""
+"""In bytes. A judgment includes its recording, for which a program may send 1 MB on each topic."""
 CHUNK_BYTES = 1 << 20
 ENOUGH: Message = {"cancel_soak": True}
+PLUMBING = "/driver/"
+"""The prefix of the topics with which a driver calls an answer's functions. Only the judge uses their messages."""
 
 
 class LineTooLong(ValueError):
-    """A line has more bytes than any message."""
+    """A line is longer than any valid message."""
 
 
 @dataclass(frozen=True)
 class JudgingOrder:
-    """One answer to judge. `exercise`: its stem; `answer`: its text; `seed`: see `Judge.judge`.
+    """An order to judge one answer. `exercise`: its stem. `answer`: its text. `seed`: see `Judge.judge`.
 
-    `progress`: whether the slot is to send how far it is.
+    `progress`: whether the slot sends its progress.
     """
 
     exercise: str
@@ -44,27 +46,39 @@ class JudgingOrder:
 
 @dataclass(frozen=True)
 class Progress:
-    """How far the judgement of an answer is.
+    """The progress of one answer's judgment.
 
-    `place`: how many others are judged before it; 0 once it is at work. `simulated_s`: simulated time; on the wall
-    clock, real time. `messages`: how many came on each topic; `latest`: the last one of each as plain data, None if it
-    is large.
+    `place`: how many other answers are judged first; 0 once it's being judged. `watched_s`: simulated time, or real
+    time on the wall clock. `messages`: the number received on each topic. `latest`: each topic's last message as plain
+    data; None if it's large. `types`: each topic's message type.
     """
 
     place: int = 0
-    simulated_s: float = 0.0
+    watched_s: float = 0.0
     messages: Mapping[str, int] = field(default_factory=dict)
     latest: Mapping[str, Any] = field(default_factory=dict)
+    types: Mapping[str, str] = field(default_factory=dict)
+
+    def counters(self) -> list[str]:
+        """Return the message count of each of the program's topics, in words."""
+        counted = ((topic, count) for topic, count in self.messages.items() if not topic.startswith(PLUMBING))
+        return [f"{count} on {topic}" for topic, count in counted]
+
+    def __str__(self) -> str:
+        """Describe the progress in a few words."""
+        if self.place:
+            return f"{self.place} answers before yours" if self.place > 1 else "1 answer before yours"
+        return ", ".join((f"{self.watched_s:.1f} s", *self.counters()))
 
 
 def line_of(message: Message | JudgingOrder) -> bytes:
-    """A message as a line."""
+    """Encode a message as a line."""
     data = asdict(message) if isinstance(message, JudgingOrder) else message
     return json.dumps(data, allow_nan=False).encode() + b"\n"
 
 
 def progress_message(progress: Progress) -> Message:
-    """What a slot sends while it judges. Numbers that JSON does not know are left out."""
+    """Return a slot's progress message. If JSON can't express the latest values, they're left out."""
     data = asdict(progress)
     try:
         json.dumps(data, allow_nan=False)
@@ -74,24 +88,24 @@ def progress_message(progress: Progress) -> Message:
 
 
 def judgement_message(judgement: Judgement, *, final: bool) -> Message:
-    """What a slot sends when it has judged."""
+    """Return a slot's message with a judgment."""
     return {"final": final, "judgement": judgement_to_json(judgement)}
 
 
 def error_message(reason: str) -> Message:
-    """What a slot sends last on an answer that it could not judge."""
+    """Return a slot's last message about an answer that it couldn't judge."""
     return {"final": True, "error": reason}
 
 
 def judgement_in(message: Message, stem: str, answer_sha256: str) -> Judgement:
-    """The judgement of a message, or that there is none because of an error in the slot."""
+    """Return a message's judgment. If the slot had an error, return a judgment that says so."""
     if "error" in message:
         return Judgement(stem, answer_sha256, "infra_error", message["error"], (), None)
     return judgement_from_json(message["judgement"])
 
 
 class LineReader:
-    """Reads messages from a descriptor. A line of more than `longest` bytes is none."""
+    """Reads messages from a descriptor. A line of more than `longest` bytes is invalid."""
 
     def __init__(self, descriptor: int, longest: int = LONGEST_LINE) -> None:
         self._descriptor = descriptor
@@ -100,9 +114,9 @@ class LineReader:
         self._searched = 0
 
     def next(self, timeout_s: float) -> dict[str, Any] | None:
-        """The next message; None if it is not there after `timeout_s`, or only a part of it.
+        """Return the next message; None if it isn't complete after `timeout_s` s.
 
-        Raises EOFError at the end, LineTooLong, and ValueError for what is no message.
+        Raises EOFError at the end, LineTooLong, and ValueError for an invalid message.
         """
         if (message := self._take()) is not None:
             return message

@@ -1,9 +1,10 @@
-"""Judging many answers on this machine: some at work at once, and beside them those that are watched in real time.
+"""Judge many answers on this machine in parallel.
 
-A program that simulated time has judged is started again, and watched for some real seconds. That is little work:
-meanwhile its place is given to the next answer, which is judged by another slot. And where that is wanted, more answers
-than there are places are at work while the processors would be idle otherwise. How many slots there are follows from
-that and from memory.
+An answer that only has to stay alive frees its place for the next one.
+
+After a program was judged in simulated time, it's started again and watched for a few real seconds. That's little work,
+so the next answer gets its place, and another slot judges it. With `fills`, more answers than places run while
+processors would otherwise be idle. The number of slots follows from that and from the available memory.
 """
 
 import contextlib
@@ -25,23 +26,25 @@ from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
 WAITING_PER_PLACE = 8
-"""Slots beside each place whose answers only wait. They wait for 8 s, and are at work for about one."""
+"""The number of slots per place whose answers only wait. They wait for 8 s, after about one second of work."""
 MORE_PER_PLACE = 2
-"""Answers beside each place that are at work only because processors were idle: no more, however idle they are. Who has
-only a part of the processors, in a container, sees all of them."""
+"""The number of answers per place that run only because processors were idle.
+
+It's limited because a process in a container sees all processors, even if it may use only some of them.
+"""
 SPARE_SHARE = 0.25
-"""Where the processors were idle for a smaller share of the time, one more answer would make the others wait."""
+"""The idle share of processor time below which one more answer would slow the others down."""
 LOOK_S = 0.5
-"""One more answer at a time: so long it is watched how busy they are with it."""
+"""How long (s) to measure the processors' idle time after starting one more answer."""
 SLOT_BYTES = 150_000_000
-"""A slot with a program: the slot holds some 70 MB of its own, a program about as much."""
+"""The memory (bytes) of a slot with a program. Each of the two uses some 70 MB."""
 KEPT_FREE_BYTES = 1_000_000_000
-"""Memory that is left to all others: no slot is added below it, except for the places themselves."""
+"""The memory (bytes) left to other processes. Below it, no slot is added beyond one for each place."""
 
 
 @dataclass(frozen=True)
 class LocalSlots:
-    """Judges on this machine, `slots` answers at work at once; where `fills`, more while processors are idle."""
+    """Judges on this machine, with `slots` answers in parallel. With `fills`, more run while processors are idle."""
 
     slots: int
     isolation: Isolation = "limits"
@@ -55,14 +58,17 @@ class LocalSlots:
 
 
 class IdleProcessors:
-    """Tells now and then whether the processors of this machine have nothing to do for a part of the time."""
+    """Reports, from time to time, whether this machine's processors are partly idle."""
 
     def __init__(self) -> None:
         self._looked_at = -LOOK_S
         self._before: tuple[float, float] | None = None
 
     def __call__(self) -> bool:
-        """Whether they were idle for SPARE_SHARE of the time since the last look; at most every LOOK_S seconds."""
+        """Return whether the processors were idle for at least SPARE_SHARE of the time since the last poll.
+
+        Polls at most every LOOK_S seconds, and returns False in between.
+        """
         if time.monotonic() - self._looked_at < LOOK_S:
             return False
         now = idle_and_all_s()
@@ -73,10 +79,10 @@ class IdleProcessors:
 
 
 class WorkPermits:
-    """Who may be at work: `at_work` answers at once, each with a slot of the pool. For use by several threads.
+    """Limits the work to `at_work` answers in parallel, each with a slot from the pool. Thread-safe.
 
-    `room`: whether one more slot may be started beside the first `at_work`, of which there are so many now. `spare`:
-    asked again and again whether one more answer may be at work beside them.
+    `room`: whether one more slot may be started beyond the first `at_work`, given the current number of slots. `spare`:
+    polled to learn whether one more answer may run beyond `at_work`.
     """
 
     def __init__(
@@ -111,7 +117,7 @@ class WorkPermits:
         return self._free > 0 or (self._spare is not None and self._spare())
 
     def change(self, *, free: int = 0, slots: int = 0) -> None:
-        """Take note that so many more may work, or that there are so many more slots."""
+        """Add to the number of answers that may run, and to the number of slots."""
         with self._changed:
             self._free += free
             self._slots += slots
@@ -119,7 +125,7 @@ class WorkPermits:
 
 
 class Permit:
-    """To be at work, with `slot`, or with a new one where that is None."""
+    """A permit to work with `slot`. If `slot` is None, use a new slot."""
 
     def __init__(self, permits: WorkPermits, slot: Slot | None) -> None:
         self.slot = slot
@@ -127,12 +133,12 @@ class Permit:
         self._is_held = True
 
     def end(self) -> None:
-        """Let somebody else work; does nothing the second time."""
+        """Give the permit back. Calling it again has no effect."""
         self._permits.change(free=int(self._is_held))
         self._is_held = False
 
     def end_when_watched(self, judgement: Judgement) -> None:
-        """End when a judgement is reported that is not provisional: only real seconds follow."""
+        """End the permit once a final judgment is reported, because only real seconds of watching follow."""
         if not judgement.provisional:
             self.end()
 
@@ -146,11 +152,11 @@ def judge_all(
     stop: Callable[[], bool] = lambda: False,
     fills: bool = False,
 ) -> Iterator[tuple[Job[Key], Judgement]]:
-    """Judge many answers, `slots` of them at work at once; yields each judgement as it is ready.
+    """Judge many answers, `slots` of them in parallel. Yield each judgment as soon as it's ready.
 
-    With `fills` more of them are at work while the processors are idle otherwise.
-    In a tier in which answers meet each other they are judged one after another, whatever `slots` says.
-    `stop` is asked before each new answer, so that an interrupted run ends after those under way.
+    With `fills`, more of them run while processors would otherwise be idle. In a tier where answers meet (see
+    `meets_others`), they're judged one at a time, regardless of `slots`. `stop` is called before each new answer, so an
+    interrupted run ends after the running answers.
     """
     run = _AnswersOfRun(list(jobs), max(1, slots), soak, isolation, stop, fills)
     threads = [
@@ -169,7 +175,7 @@ def judge_all(
 
 
 class _AnswersOfRun(Generic[Key]):
-    """Answers of one call of `judge_all`. `done` gets each judgement, and None from each thread that ends."""
+    """The answers of one `judge_all` call. `done` receives each judgment, and None from each thread that ends."""
 
     def __init__(
         self,
@@ -191,7 +197,7 @@ class _AnswersOfRun(Generic[Key]):
         for_each = 1 + (WAITING_PER_PLACE if soak else 0) + (MORE_PER_PLACE if fills else 0)
         self.most_at_once = min(slots * for_each, max(1, len(jobs)))
         if meets_others(isolation):
-            self.most_at_once = 1  # beside it, an answer that only waits could still speak to the others
+            self.most_at_once = 1  # even an answer that only waits could send messages to another one
         for job in jobs:
             self._waiting.put(job)
         _prepare_for({job.stem for job in jobs})
@@ -200,18 +206,21 @@ class _AnswersOfRun(Generic[Key]):
         self._server = self._pool.fork_from_now_on(self._kind) if len(jobs) > 1 else None
 
     def _has_room(self, present: int) -> bool:
-        """To start a slot takes as long as to judge an answer: it must be worth that."""
+        """Return whether another slot is worthwhile. Starting one takes as long as judging an answer."""
         return self._waiting.qsize() >= present and available_memory_bytes() > KEPT_FREE_BYTES + SLOT_BYTES
 
     def _has_spare(self) -> bool:
-        """What only waits for the server of the slots leaves the processors idle, and will soon need them."""
+        """Return whether there are spare processors.
+
+        While answers wait for the slots' server, return False, because they'll need the processors soon.
+        """
         return (self._server is None or self._server.is_tried) and self._are_idle()
 
     def _warm(self) -> Slot | None:
         return self._pool.take_warm(self._kind)
 
     def forget_the_rest(self) -> None:
-        """Begin no more answers."""
+        """Drop the answers that haven't begun."""
         while self._next() is not None:
             pass
 
@@ -251,19 +260,19 @@ class _AnswersOfRun(Generic[Key]):
             permit.end()
 
     def close(self) -> None:
-        """End all slots, and what they were forked from."""
+        """End all slots, and the servers that forked them."""
         self._pool.close()
 
 
 def _prepare_for(stems: Iterable[str]) -> None:
-    """Let the type checker see our packages once, before slots start that cannot write down what it learned."""
+    """Let the type checker cache our packages before slots start, because the slots can't write to its cache."""
     if any(_is_type_checked(stem) for stem in stems):
-        with contextlib.suppress(TypeCheckFailed):  # those who judge will say it
+        with contextlib.suppress(TypeCheckFailed):  # judging will report the failure
             warm_cache()
 
 
 def _is_type_checked(stem: str) -> bool:
     try:
         return load_exercise(stem).source.kind == "static"
-    except Exception:  # what is wrong with it, its judgements tell
+    except Exception:  # judging will report the problem
         return False

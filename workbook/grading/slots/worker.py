@@ -1,8 +1,8 @@
-"""A process that judges one answer after another with a warm observer: see `protocol` for what it is told.
+"""Run a process that judges one answer after another with a warm observer. `protocol` describes its messages.
 
     python -m workbook.grading.slots.worker TIER [--user ID] [--groups FOLDER] [--try PORT]
 
-Orders come in on standard input, judgements go out on standard output.
+It reads orders from standard input, and writes judgments to standard output.
 """
 
 import argparse
@@ -52,20 +52,20 @@ TOPICS_SHOWN = 8
 
 
 def _private_output() -> BinaryIO:
-    """Keep standard output for judgements alone; whatever else prints goes to standard error."""
+    """Reserve standard output for judgments by redirecting all other output to standard error."""
     channel = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     return channel
 
 
 def _end_on_sigterm(*_: object) -> None:
-    """End in order, and only once: a dying grader sends the signal again for each of its threads."""
+    """Exit in an orderly way, and only once. A dying owner sends the signal again for each of its threads."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise SystemExit(0)
 
 
 class _Inbox:
-    """Reads standard input beside the work, so that a word can reach a job under way."""
+    """Reads standard input while a job runs, so that a message can reach the job."""
 
     def __init__(self) -> None:
         self.jobs: queue.SimpleQueue[JudgingOrder | None] = queue.SimpleQueue()
@@ -95,10 +95,11 @@ def serve(
     groups: Path | None = None,
     servers: Sequence[ForkServer] = (),
 ) -> None:
-    """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
+    """Judge jobs until standard input is closed. With "uid", the programs run under `ids`, leased by the caller.
 
-    `port`: of a listener on this machine, for trying out the tier first. `groups`: the folder for memory cgroups, which
-    the caller leased. `servers`: two, from which the programs of a sandbox are forked; none: it has one of its own.
+    `port`: the port of a listener on this machine; if it's given, the tier is tested first. `groups`: the folder for
+    memory cgroups, leased by the caller. `servers`: the two servers that fork a sandbox's programs; if there are none,
+    start one.
     """
     channel = _private_output()
     adopt_orphans()
@@ -135,7 +136,7 @@ def serve(
 
 
 class _ProgressSender:
-    """Sends how far a judgement is, a few times a second."""
+    """Sends a judgment's progress a few times a second."""
 
     def __init__(self, send: Callable[[Message], None]) -> None:
         self._send = send
@@ -146,15 +147,16 @@ class _ProgressSender:
             return
         self._sent_at = time.monotonic()
         topics = [*islice(recorder.so_far(), TOPICS_SHOWN)]
-        messages = {name: count for name, count, _ in topics}
-        latest = {name: value for name, _, value in topics}
-        self._send(progress_message(Progress(0, round(recorder.robot_now(), 3), messages, latest)))
+        messages = {name: count for name, _, count, _ in topics}
+        latest = {name: value for name, _, _, value in topics}
+        types = {name: type_name for name, type_name, _, _ in topics}
+        self._send(progress_message(Progress(0, round(recorder.robot_now(), 3), messages, latest, types)))
 
 
 def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Callable[[], bool]) -> Message:
-    """Judge one answer and sweep up behind it. Returns the last line on it: its judgement, or what went wrong.
+    """Judge one answer, and end its leftover processes. Return the last line: the judgment or an error.
 
-    Raises ServerGone: then this slot is to be replaced, and the answer judged in another one.
+    Raises ServerGone. The caller must then replace this slot, and judge the answer on another one.
     """
     try:
         judgement = judge.judge(
@@ -180,7 +182,7 @@ def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Call
 def warm_up(isolation: Isolation, server: ForkServer) -> None:
     """Prepare to fork programs: in a sandbox from `server`, in other tiers from this process's own fork server.
 
-    A sandbox has a network of its own, so its leases say nothing about this process.
+    A sandbox has its own network, so it leases domains independently of other processes.
     """
     if isolation == "sandbox":
         lease_in_private()
@@ -190,7 +192,7 @@ def warm_up(isolation: Isolation, server: ForkServer) -> None:
 
 
 def main() -> None:
-    """Read the command line, then answer jobs until standard input is closed."""
+    """Parse the command line, and then judge jobs until standard input is closed."""
     parser = argparse.ArgumentParser()
     parser.add_argument("tier", type=named_tier)
     parser.add_argument("--user", type=lambda text: Ids(int(text)))

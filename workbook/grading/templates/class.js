@@ -1,5 +1,5 @@
 "use strict";
-// Sorts and filters the map of the class. Without it, the page shows everybody, in the order of points.
+// Sorts and filters the map of the class. Without this script, the page shows all students, sorted by points.
 const table = document.getElementById("students");
 const form = document.getElementById("filter");
 const rows = [...table.tBodies[0].rows];

@@ -1,0 +1,143 @@
+"""The service that judges a whole class: whose answer is next, and one answer's way through it."""
+
+import itertools
+import json
+import os
+import socket
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as some
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement
+from workbook.grading.slots.protocol import JudgingOrder, Progress, line_of
+from workbook.grading.slots.service import (
+    MOST_WAITING,
+    CheckService,
+    FairQueue,
+    TooMany,
+    judge_there,
+    read_order,
+    user_of,
+)
+
+STEM = "03_publishers_and_messages"
+
+
+def test_owners_take_turns() -> None:
+    queue: FairQueue[str] = FairQueue()
+    for item in ("a1", "a2", "a3", "b1", "b2", "c1"):
+        queue.put(item[0], item)
+    expected = ["a1", "b1", "c1", "a2", "b2", "a3"]
+    assert queue.in_order() == expected
+    assert [queue.take() for _ in expected] == expected
+
+
+@given(some.lists(some.sampled_from("abcde"), max_size=20))
+def test_the_order_that_is_told_is_the_order_that_comes(owners: str) -> None:
+    queue: FairQueue[int] = FairQueue(most=99)
+    for number, owner in enumerate(owners):
+        queue.put(owner, number)
+    told = queue.in_order()
+    assert [queue.take() for _ in owners] == told
+
+
+@given(some.lists(some.sampled_from("abcde"), max_size=20))
+def test_nobody_waits_for_more_than_one_answer_of_each_other_person(owners: str) -> None:
+    queue: FairQueue[tuple[str, int]] = FairQueue(most=99)
+    for number, owner in enumerate(owners):
+        queue.put(owner, (owner, number))
+    queue.put("late", ("late", 0))
+    before = list(itertools.takewhile(lambda item: item[0] != "late", queue.in_order()))
+    assert len(before) == len({owner for owner, _ in before})
+
+
+def test_too_many_answers_of_one_person_are_refused() -> None:
+    queue: FairQueue[int] = FairQueue()
+    for number in range(MOST_WAITING):
+        queue.put("a", number)
+    with pytest.raises(TooMany, match="of your answers are waiting"):
+        queue.put("a", 99)
+    queue.put("b", 0)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        b"",
+        b"no message\n",
+        b"{}\n",
+        json.dumps({"exercise": "../../tmp/mine", "answer": ""}).encode() + b"\n",
+        json.dumps({"exercise": STEM, "answer": "x" * 2_000_000}).encode() + b"\n",
+    ],
+    ids=["nothing", "noise", "empty", "foreign criteria", "too long"],
+)
+def test_what_is_no_order_is_refused(line: bytes) -> None:
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        sender = threading.Thread(target=_send, args=[theirs, line])
+        sender.start()
+        with pytest.raises((EOFError, KeyError, ValueError)):
+            read_order(ours)
+        ours.close()
+        sender.join()
+
+
+def _send(connection: socket.socket, line: bytes) -> None:
+    try:
+        connection.sendall(line)
+        connection.shutdown(socket.SHUT_WR)
+    except OSError:
+        pass
+
+
+def test_an_order_is_read() -> None:
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        theirs.sendall(line_of(JudgingOrder(STEM, "pass", soak=False)))
+        assert read_order(ours) == JudgingOrder(STEM, "pass", soak=True, progress=True)
+        assert user_of(ours) == os.getuid()
+
+
+@pytest.fixture
+def service(tmp_path: Path) -> Iterator[CheckService]:
+    made = CheckService(tmp_path, 1, "limits", owner_of=lambda connection: connection.fileno())
+    thread = threading.Thread(target=made.serve)
+    thread.start()
+    yield made
+    made.close()
+    thread.join()
+
+
+def test_answers_are_judged_one_after_another_and_see_their_place(service: CheckService) -> None:
+    right = load_exercise(STEM).source.solution_code
+    wrong = "import rclpy\nrclpy.init()\nrclpy.shutdown()\n"
+    places: dict[str, list[int]] = {"right": [], "wrong": []}
+    got: dict[str, Judgement] = {}
+
+    def ask(name: str, program: str) -> None:
+        def note(progress: Progress) -> None:
+            places[name].append(progress.place)
+
+        got[name] = judge_there(str(service.path), STEM, Answer(program), lambda _: None, note)
+
+    threads = [threading.Thread(target=ask, args=pair) for pair in (("right", right), ("wrong", wrong))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {one.status for one in got.values()} == {"graded"}
+    lost = {name: sum(one.max_points - one.points for one in got[name].criteria) for name in got}
+    assert lost["right"] == 0 < lost["wrong"]
+    assert max(places["right"] + places["wrong"]) >= 1  # one of them waited
+
+
+def test_without_a_service_the_card_says_so(tmp_path: Path) -> None:
+    judgement = judge_there(str(tmp_path / "none"), STEM, Answer("pass"), lambda _: None)
+    assert judgement.status == "infra_error"
+    assert "check service" in judgement.reason
