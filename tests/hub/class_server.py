@@ -49,11 +49,12 @@ def at_once(
 class ClassServer:
     """A hub of its own, below a folder."""
 
-    def __init__(self, folder: Path, *options: str) -> None:
+    def __init__(self, folder: Path, *options: str, check_slots: int | None = None) -> None:
         self.folder = folder
         self.port = _three_ports()
         self.log = folder.with_name(f"{folder.name}.log")
         self._options = options
+        self._check_slots = {} if check_slots is None else {"CLASS_CHECK_SLOTS": str(check_slots)}
         self._hub: subprocess.Popen[bytes] | None = None
 
     @property
@@ -79,7 +80,11 @@ class ClassServer:
         }
         with self.log.open("ab") as log:
             self._hub = subprocess.Popen(
-                [*command, *self._options], cwd=ROOT, env=os.environ | environ, stdout=log, stderr=log
+                [*command, *self._options],
+                cwd=ROOT,
+                env=os.environ | environ | self._check_slots,
+                stdout=log,
+                stderr=log,
             )
         wait_until(self._answers, f"the hub does not answer; see {self.log}")
 
@@ -156,13 +161,13 @@ def _three_ports() -> int:
 
 
 @contextmanager
-def class_server(folder: Path, *options: str) -> Iterator[ClassServer]:
-    """A running hub; in the end, all of it is ended.
+def class_server(folder: Path, *options: str, check_slots: int | None = None) -> Iterator[ClassServer]:
+    """Run a hub, and end all of it afterward. With `check_slots`, it judges answers on so many slots.
 
     What a stopped hub leaves behind becomes ours, and we don't reap it: as with a first process that isn't an init.
     """
     adopt_orphans()
-    server = ClassServer(folder, *options)
+    server = ClassServer(folder, *options, check_slots=check_slots)
     try:
         server.start()
         yield server
