@@ -3,8 +3,10 @@
 import io
 import socket
 from pathlib import Path
+from typing import Any, BinaryIO
 
 import pytest
+from jupyter_client import manager
 
 from workbook.cli import doctor
 from workbook.lab import health
@@ -34,6 +36,36 @@ def test_a_kernel_starts_and_leaves_nothing_behind(temporary: Path) -> None:
     finding = health.check_kernel()
     assert (finding.status, "the magics" in finding.saw) == ("ok", True)
     assert list(temporary.iterdir()) == []
+
+
+@pytest.mark.parametrize(("faults", "status"), [(2, "ok"), (3, "fix")])
+def test_a_kernel_whose_port_was_taken_is_started_again(
+    faults: int, status: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    start_new_kernel = manager.start_new_kernel
+    started: list[int] = []
+
+    def start(*, stderr: BinaryIO, **options: Any) -> Any:
+        started.append(0)
+        if len(started) > faults:
+            return start_new_kernel(stderr=stderr, **options)
+        stderr.write(b"zmq.error.ZMQError: Address already in use (addr='tcp://127.0.0.1:41333')\n")
+        raise RuntimeError("Kernel died before replying to kernel_info")
+
+    monkeypatch.setattr(manager, "start_new_kernel", start)
+    [finding] = health._made("Jupyter kernel", health.check_kernel)
+    assert (len(started), finding.status) == (3, status)
+    assert ("41333" in finding.saw) == (status == "fix")
+
+
+def test_the_last_words_of_a_kernel_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def start(*, stderr: BinaryIO, **_: Any) -> None:
+        stderr.write(b"Traceback\nImportError: no such library\n")
+        raise RuntimeError("Kernel died before replying to kernel_info")
+
+    monkeypatch.setattr(manager, "start_new_kernel", start)
+    with pytest.raises(RuntimeError, match="no such library"):
+        health.check_kernel()
 
 
 def test_the_rest_of_this_machine() -> None:

@@ -1,6 +1,7 @@
 """The answers that prove the exercises, and how they are judged: side by side, each three times at most."""
 
 import os
+import time
 import zlib
 from collections.abc import Callable, Collection
 from concurrent.futures import ThreadPoolExecutor
@@ -30,9 +31,9 @@ STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORK
 CORES = os.cpu_count() or 1
 ARTIFACTS = ROOT / "artifacts"
 MACHINE = {False: ARTIFACTS / "proofs_on_the_wall_clock.tsv", True: ARTIFACTS / "proofs_on_robot_time.tsv"}
-"""How busy the machine was in each judgement that counted or was judged again alone, how long (s) its recording took,
-and how many tries there were by then."""
-COLUMNS = "exercise answer points held_up stood_still taken in_line clock watched tries doubt".split()
+"""One line for each judgment: when it was ready (s), how busy the machine was, how long (s) its recording took, and how
+many tries there were by then."""
+COLUMNS = "at exercise answer points held_up stood_still taken in_line clock watched tries doubt".split()
 SOLUTION, STARTER = "solution", "starter"
 FEW = 3
 SEEDS = 20
@@ -107,6 +108,7 @@ class Proofs:
 
     def __init__(self, chosen: Collection[Key]) -> None:
         ARTIFACTS.mkdir(exist_ok=True)
+        self._began_at = time.monotonic()
         self._few = len(chosen) <= FEW
         self._isolation: Isolation = "limits" if sandbox_problem() else "sandbox"
         self._jobs: dict[Pool, dict[Key, Job[Key]]] = {}
@@ -177,7 +179,16 @@ class Proofs:
             else (seen.held_up_s, seen.stood_still_s, seen.taken_s, seen.in_line_s, seen.clock, seen.wall_s)
         )
         with MACHINE[self._pools[key].on_simulated_time].open("a", encoding="utf-8") as file:
-            print(*key, judgement.score, *waits, tries, judgement.inconclusive_reason, sep="\t", file=file)
+            print(
+                f"{time.monotonic() - self._began_at:.1f}",
+                *key,
+                judgement.score,
+                *waits,
+                tries,
+                judgement.inconclusive_reason,
+                sep="\t",
+                file=file,
+            )
 
 
 def was_busy(judgement: Judgement) -> bool:

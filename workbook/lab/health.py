@@ -17,6 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
+    from jupyter_client.blocking.client import BlockingKernelClient
+    from jupyter_client.manager import KernelManager
+
     from workbook.recording.recording import ProcessRecord
 
 Status = Literal["ok", "note", "fix"]
@@ -25,6 +28,8 @@ PING_LIMIT_S = 40.0
 """An upper bound: with a cold disk and a busy processor, a program takes many seconds to start."""
 KERNEL_LIMIT_S = 50.0
 """An upper bound, too; a kernel also imports IPython."""
+KERNEL_TRIES = 3
+PORT_TAKEN = "Address already in use"
 GIB = 2**30
 
 
@@ -272,12 +277,31 @@ f"domain {os.environ.get('ROS_DOMAIN_ID')} magics {'workbook.magics' in get_ipyt
 """
 
 
+def _start_kernel() -> tuple["KernelManager", "BlockingKernelClient"]:
+    """Start a kernel, and another one if it finds a port taken. Raises RuntimeError with the kernel's last words.
+
+    jupyter_client chooses free ports, but the kernel opens them a second later. Another program may be faster.
+    """
+    from jupyter_client import manager
+
+    for tries_left in reversed(range(KERNEL_TRIES)):
+        with tempfile.TemporaryFile() as errors:
+            try:
+                return manager.start_new_kernel(
+                    startup_timeout=KERNEL_LIMIT_S, kernel_name="python3", stderr=errors
+                )
+            except RuntimeError as error:
+                errors.seek(0)
+                said = errors.read().decode(errors="replace").strip()
+                if not tries_left or PORT_TAKEN not in said:
+                    raise RuntimeError(f"{error}. {said.splitlines()[-1]}" if said else str(error)) from None
+    raise AssertionError("unreachable")
+
+
 def check_kernel() -> HealthFinding:
     """Check that a Jupyter kernel starts with a domain and the magics."""
-    from jupyter_client.manager import start_new_kernel
-
     started = time.monotonic()
-    manager, client = start_new_kernel(startup_timeout=KERNEL_LIMIT_S, kernel_name="python3")
+    manager, client = _start_kernel()
     try:
         # A client that has just connected may miss a cell's printed output, but it always gets the reply.
         reply = client.execute(
