@@ -1,4 +1,4 @@
-"""How much memory a class takes, and how long it waits for its cards: simulated students, each with a server."""
+"""Measure how much memory a class takes and how long it waits for its cards. Each simulated student has a server."""
 
 import statistics
 import tempfile
@@ -21,11 +21,11 @@ BETWEEN_CHECKS_S = 6.0
 
 @dataclass(frozen=True)
 class MeasuredClass:
-    """Memory of one student in MB, and seconds.
+    """Memory per student (MB), and waiting times (s).
 
-    `idle`: a server without a kernel. `reading`: with a kernel that has run a part of a lesson. `checking`: the most
-    that one student had while answers were judged. `starts`: from the click to a server that answers. `checks`: from
-    `%check` to its card. `refused`: checks that showed no full marks for a right answer.
+    `idle`: a server without a kernel. `reading`: with a kernel that has run a part of a lesson. `checking`: the largest
+    amount for any student while answers were judged. `starts`: from the click until the server responds. `checks`: from
+    `%check` to its card. `refused`: how many checks of a right answer didn't give full marks.
     """
 
     idle: float
@@ -37,7 +37,7 @@ class MeasuredClass:
 
 
 def measure(students: int, stem: str, answer: str) -> MeasuredClass:
-    """Have so many students log in, read, and check a right answer, one every few seconds."""
+    """Let `students` students log in, read, and check a right answer, one every few seconds."""
     with tempfile.TemporaryDirectory() as folder, class_server(Path(folder) / "class") as server:
         class_ = [server.student(f"student{number}") for number in range(students)]
         with ThreadPoolExecutor(STARTED_AT_ONCE) as few:
@@ -69,7 +69,7 @@ def measure(students: int, stem: str, answer: str) -> MeasuredClass:
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """Time that some work takes."""
+    """Return how many seconds some work takes."""
     began = time.monotonic()
     work()
     return time.monotonic() - began
@@ -84,7 +84,7 @@ def read(student: SimulatedStudent, kernel: str, stem: str) -> None:
 
 
 def megabytes(server: ClassServer, student: SimulatedStudent) -> float:
-    """Memory of a student's processes, and of the gate; a page that several share counts in parts."""
+    """Return the memory (MB) of a student's processes and of the gate. Shared pages count proportionally."""
     total = 0
     own = server.user_id(student.name)
     for gate in server.gates():
@@ -95,7 +95,7 @@ def megabytes(server: ClassServer, student: SimulatedStudent) -> float:
 
 
 def user_of(process: psutil.Process) -> int:
-    """The user id of a process; -1 when it has ended."""
+    """Return a process's user id, or -1 if the process has ended."""
     try:
         return int(process.uids().real)
     except psutil.Error:
@@ -103,7 +103,7 @@ def user_of(process: psutil.Process) -> int:
 
 
 def share_of_memory(process: psutil.Process) -> int:
-    """The proportional share of a process in bytes; none when it has ended."""
+    """Return a process's proportional share of memory in bytes, or 0 if the process has ended."""
     try:
         return int(process.memory_full_info().pss)
     except psutil.Error:
