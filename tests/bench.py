@@ -1,13 +1,13 @@
-"""How fast and how steady judging is, and what a frame of the panel costs: `make bench`.
+"""Measure how fast and how reliable judging is, and what a frame of the panel costs: `make bench`.
 
 ARGS='--quick' makes a short run, and ARGS='--only check' runs one part.
 
-Two parts run only when they are asked for, because they take some ten minutes: ARGS='--only fairness' grades right
-answers 500 times on more slots than there are processors, while every processor is kept busy by something else.
-ARGS='--only class' has 40 students at a hub (4 with --quick; as root, with EXTRAS=hub).
+Two parts take some ten minutes, so they run only on request. ARGS='--only fairness' grades right answers 500 times,
+with more slots than CPUs and with other programs that keep every CPU busy. ARGS='--only class' has 40 students at a hub
+(4 with --quick; it needs root and EXTRAS=hub).
 
-Prints a table and writes artifacts/bench.json. Times are medians with their range; what they mean depends on what else
-the machine is doing, so each part says how busy it was when the part began.
+Prints a table and writes artifacts/bench.json. Times are medians with their range. They depend on the machine's other
+work, so each part prints the load average at its start.
 """
 
 import argparse
@@ -65,7 +65,7 @@ BARE_NODE = (
 
 @dataclass(frozen=True)
 class Figure:
-    """One line of the table. `holds` is None where there is no aim."""
+    """One line of the table. `holds` is None if there is no aim."""
 
     name: str
     measured: str
@@ -77,7 +77,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Size:
-    """How much to measure."""
+    """The number of repetitions for each measurement."""
 
     runs: int
     wall_runs: int
@@ -92,7 +92,7 @@ QUICK = Size(runs=5, wall_runs=1, repeats=24, answers=40, gradings=32, students=
 
 
 def of_times(name: str, times: Sequence[float], aim_s: float | None = None, unit: str = "s") -> Figure:
-    """A figure from repeated measurements: the median, and the range."""
+    """Make a figure from repeated measurements: the median and the range."""
     middle = statistics.median(times)
     return Figure(
         name,
@@ -105,27 +105,30 @@ def of_times(name: str, times: Sequence[float], aim_s: float | None = None, unit
 
 
 def timed(work: Callable[[], object]) -> float:
-    """Seconds that `work` takes."""
+    """Return how many seconds `work` takes."""
     began = time.monotonic()
     work()
     return time.monotonic() - began
 
 
 def cpu_of_children() -> float:
-    """Processor seconds of all processes below this one that have ended and were waited for."""
+    """Return the CPU seconds of all ended child processes that we waited for, and of their children."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
 def machine_busy() -> tuple[float, float]:
-    """Processor seconds that the whole machine has worked, and has had, since it started."""
+    """Return the CPU seconds that the whole machine has worked since it started, and those it could have worked."""
     fields = [int(text) for text in Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:9]]
     idle = fields[3] + fields[4]
     return sum(fields) - idle, sum(fields)
 
 
 def bare_node(times: int) -> tuple[list[float], float]:
-    """Start Python, import rclpy, make a node, end; seconds of each, and processor seconds of one."""
+    """Start Python, import rclpy, create a node, and end.
+
+    Return the seconds of each run, and the CPU seconds per run.
+    """
     with lease_domain() as lease:
         environ = child_environment(lease.domain_id)
         before = cpu_of_children()
@@ -137,18 +140,18 @@ def bare_node(times: int) -> tuple[list[float], float]:
 
 
 def wrong_answer(name: str) -> Answer:
-    """A wrong answer of the tests."""
+    """Read one of the wrong answers."""
     tree = Tree(ROOT)
     return read_wrong_answer(tree, tree.wrong_answers / STEM / f"{name}.py").answer
 
 
 def right_answer(name: str) -> Answer:
-    """A right answer of the tests."""
+    """Read one of the right answers."""
     return read_answer(ROOT / "tests" / "right_answers" / STEM / f"{name}.py", STEM)
 
 
 def slot_start(times: int, isolation: Isolation) -> float:
-    """Processor seconds of a slot that starts and ends without judging anything."""
+    """Return the CPU seconds of a slot that starts and ends without judging anything."""
     before = cpu_of_children()
     for _ in range(times):
         with Slot(isolation):
@@ -157,7 +160,7 @@ def slot_start(times: int, isolation: Isolation) -> float:
 
 
 def empty_program(tier: Tier | None) -> float:
-    """Seconds from the start of a program that does nothing to its end."""
+    """Return the seconds from the start to the end of a program that only imports rclpy."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "answer.py"
         program.write_text("import rclpy\n", encoding="utf-8")
@@ -171,7 +174,7 @@ def empty_program(tier: Tier | None) -> float:
 
 
 def check(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """`workbook check` as a command, beside the least that any ROS program takes to start."""
+    """Measure `workbook check` as a command, and the minimal ROS program for comparison."""
 
     def whole_command(file: Path, passes: bool) -> None:
         command = [str(Path(sys.executable).with_name("workbook")), "check", "joint_positions", str(file)]
@@ -190,19 +193,19 @@ def check(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
             file = Path(folder, f"{name}.py")
             file.write_text(wrong_answer(name).text, encoding="utf-8")
             wrong += [timed(lambda file=file: whole_command(file, False)) for _ in range(size.runs)]  # type: ignore[misc]
-    yield of_times("  the same for a wrong rate, value, type or name", wrong, 2.5)
+    yield of_times("  for a wrong rate, value, type, or name", wrong, 2.5)
     slow = statistics.quantiles(wrong, n=20)[-1]
-    yield Figure(
-        "  95 of 100 of them take no longer than", f"{slow:.2f} s", "", "< 4 s", slow < 4.0, {"seconds": slow}
-    )
+    yield Figure("  95th percentile of these", f"{slow:.2f} s", "", "< 4 s", slow < 4.0, {"seconds": slow})
     bare, _ = bare_node(size.runs)
-    yield of_times("  beside it: Python, import rclpy, one node", bare)
+    yield of_times("  for comparison: Python, import rclpy, one node", bare)
     ratio = statistics.median(times) / statistics.median(bare)
-    yield Figure("  the command, as a multiple of that", f"{ratio:.1f} ×", values={"ratio": round(ratio, 2)})
+    yield Figure(
+        "  the command, in multiples of that time", f"{ratio:.1f} ×", values={"ratio": round(ratio, 2)}
+    )
 
 
 def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """%check in a notebook: until the card shows. Then the same answer on the wall clock."""
+    """Measure %check in a notebook until the card shows. Then watch the same answer on the wall clock."""
     with Slot() as slot:
         right = cards(slot, answer, size.runs)
         wrong = cards(slot, wrong_answer(WRONG_RATE), size.runs)
@@ -210,11 +213,11 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     times = [seconds for seconds, recording in right if recording.clock == "simulated"]
     speeds = [one.watched_s / seconds for seconds, one in right if one.clock == "simulated"]
     if not times:
-        raise SystemExit("bench: this machine is too busy for robot time; every run went to the wall clock")
+        raise SystemExit("bench: this machine is too busy for simulated time; every run used the wall clock")
     yield of_times("%check on a warm slot, until the card shows", times, 0.7)
-    yield of_times("  the same for a wrong rate", [seconds for seconds, _ in wrong], 0.7)
+    yield of_times("  for a wrong rate", [seconds for seconds, _ in wrong], 0.7)
     yield of_times(
-        "  the same for right answers with several threads", [one for some in threads for one, _ in some], 4.0
+        "  for right answers with several threads", [one for some in threads for one, _ in some], 4.0
     )
     with Observer() as observer, tempfile.TemporaryDirectory() as folder:
         program = Path(folder, f"{STEM}.py")
@@ -227,12 +230,12 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
         wall = [timed(on_the_wall_clock) for _ in range(size.wall_runs)]
     yield of_times("  the same answer on the wall clock", wall)
     ratio = statistics.median(wall) / statistics.median(times)
-    yield Figure("  robot time is quicker by", f"{ratio:.1f} ×", values={"ratio": round(ratio, 2)})
-    yield of_times("robot seconds per real second, start of the program included", speeds, unit="s/s")
+    yield Figure("  speedup by simulated time", f"{ratio:.1f} ×", values={"ratio": round(ratio, 2)})
+    yield of_times("simulated seconds per real second, program start included", speeds, unit="s/s")
 
 
 def cards(slot: Slot, answer: Answer, times: int) -> list[tuple[float, Recording]]:
-    """Judge an answer again and again as `%check` does: seconds until the card shows, and what was seen."""
+    """Judge an answer repeatedly, as `%check` does. Return the seconds until the card shows, and each recording."""
     found = []
     for run in range(times + 1):
         shown: list[float] = []
@@ -246,18 +249,18 @@ def cards(slot: Slot, answer: Answer, times: int) -> list[tuple[float, Recording
         judgement = slot.judge(STEM, answer, soak=True, report=report)
         if judgement.recording is None:
             raise SystemExit(f"bench: not judged: {judgement.reason}")
-        if run:  # the first one fills the caches
+        if run:  # the first run fills the caches
             found.append(((shown or [time.monotonic()])[0] - began, judgement.recording))
     return found
 
 
 def lost(judgement: Judgement) -> frozenset[str]:
-    """Criteria that were judged and did not pass."""
+    """Return the criteria that were judged and did not pass."""
     return frozenset(one.id for one in judgement.criteria if one.status in ("failed", "partial"))
 
 
 def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """The same answers again and again, with more slots than processors."""
+    """Judge the same answers repeatedly, with more slots than CPUs."""
     tree = Tree(ROOT)
     wrong = {name: read_wrong_answer(tree, tree.wrong_answers / STEM / f"{name}.py") for name in WRONG}
     each = max(1, size.repeats // 20)
@@ -285,9 +288,9 @@ def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
     share = (now_busy - busy) / max(now_had - had, 1)
     rights = sum(job.key == "solution" for job in jobs)
     yield Figure(
-        f"verdict flips, {slots} slots on {CORES} processors",
+        f"verdict flips, {slots} slots on {CORES} CPUs",
         f"{sum(flips.values())} of {len(jobs)}",
-        f"processors {share:.0%} busy",
+        f"CPUs {share:.0%} busy",
         "0",
         not flips,
         {"flips": sum(flips.values()), "repeats": len(jobs), "busy": round(share, 3)},
@@ -298,13 +301,13 @@ def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
         values={"wall_clock": on_the_wall, "solutions": rights},
     )
     yield Figure(
-        "  not judged (a fault of ours)", f"{ours} of {len(jobs)}", "", "0", ours == 0, {"infra_errors": ours}
+        "  not judged (our fault)", f"{ours} of {len(jobs)}", "", "0", ours == 0, {"infra_errors": ours}
     )
 
 
 @contextmanager
 def every_processor_busy() -> Iterator[None]:
-    """Meanwhile one program for each processor computes without end."""
+    """Keep every CPU busy: run one endless computation per CPU inside the `with` block."""
     burners = [subprocess.Popen([sys.executable, "-I", "-S", "-c", "while True: pass"]) for _ in range(CORES)]
     try:
         yield
@@ -315,7 +318,7 @@ def every_processor_busy() -> Iterator[None]:
 
 
 def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """Right answers, written in many ways, graded as `workbook grade` does on a machine that is far too busy."""
+    """Grade right answers of many styles as `workbook grade` does, on a machine that is far too busy."""
     files = [SOLUTION, *sorted((ROOT / "tests" / "right_answers" / STEM).glob("*.py"))]
     answers = {file.stem: read_answer(file, STEM) for file in files}
     names = [files[number % len(files)].stem for number in range(size.gradings)]
@@ -340,9 +343,9 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
     now_busy, now_had = machine_busy()
     share = (now_busy - busy) / max(now_had - had, 1)
     yield Figure(
-        f"full marks for right answers, {slots} slots, {CORES} processors kept busy",
+        f"full marks for right answers, {slots} slots, {CORES} busy CPUs",
         f"{full} of {len(jobs)}",
-        f"{len(files)} answers, {isolation}, processors {share:.0%} busy",
+        f"{len(files)} answers, {isolation}, CPUs {share:.0%} busy",
         "all",
         full == len(jobs),
         {"full_marks": full, "gradings": len(jobs), "inconclusive": inconclusive, "infra_errors": ours},
@@ -353,12 +356,12 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
         f"{seconds:.0f} s",
         values={"per_minute": round(60 * len(jobs) / seconds, 1), "seconds": round(seconds, 1)},
     )
-    yield Figure("  inconclusive at the first try", f"{inconclusive} of {len(jobs)}")
+    yield Figure("  inconclusive on the first try", f"{inconclusive} of {len(jobs)}")
     yield Figure("  that needed the wall clock", f"{on_the_wall} of {len(jobs)}")
 
 
 def tell_unfair(number: int, name: str, judgement: Judgement) -> None:
-    """Say what a right answer lost, and keep its recording."""
+    """Print what a right answer lost, and keep its recording."""
     print(f"  {name}: {judgement.reason or ''} {judgement.inconclusive_reason}", file=sys.stderr)
     for one in judgement.criteria:
         if one.status in ("failed", "partial"):
@@ -370,10 +373,10 @@ def tell_unfair(number: int, name: str, judgement: Judgement) -> None:
 
 
 def sandboxing(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """What it costs to sandbox a program, beside the start of the same program outside, each in turn."""
+    """Measure the cost of a sandbox: start the same program outside and inside, in turn."""
     problem = sandbox_problem()
     if problem is not None:
-        yield Figure("sandboxing a program", "not here", problem)
+        yield Figure("sandboxing a program", "not measured", problem)
         return
     server = ForkServer()
     tiers = {"outside": None, "in a sandbox": SandboxTier(), "in a sandbox, forked": SandboxTier(server)}
@@ -382,7 +385,7 @@ def sandboxing(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
         for number in range(size.runs * 3 + 1):
             for name, tier in tiers.items():
                 spent = empty_program(tier)
-                if number:  # the first of each fills the caches, and starts the server
+                if number:  # the first run of each fills the caches and starts the server
                     times[name].append(spent)
     finally:
         server.close()
@@ -400,16 +403,15 @@ def sandboxing(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
 
 
 def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """Answers per minute with the defaults, and processor time per answer, watching included, beside a bare node.
+    """Measure answers per minute with the default options, and the CPU time per answer in units of a bare node.
 
-    The machine may be slower now than a minute ago, so bare nodes are measured before and after each run.
+    The CPU time includes the judge's own. The machine's speed may vary, so bare nodes are measured before and after
+    each run.
     """
     isolation = best_isolation()
     slot_cpu = slot_start(3, isolation)
     bare = [bare_node(BARE_NODES)[1]]
-    yield Figure(
-        "processor time of starting a slot", f"{slot_cpu:.2f} s", values={"cpu_s": round(slot_cpu, 4)}
-    )
+    yield Figure("CPU time to start a slot", f"{slot_cpu:.2f} s", values={"cpu_s": round(slot_cpu, 4)})
     slots = SLOTS_PER_CORE[exercise.source.clock] * CORES
     for word in ("plain", "soak"):
         number = size.answers
@@ -425,7 +427,7 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
         bare.append(bare_node(BARE_NODES)[1])
         bare_cpu = statistics.fmean(bare[-2:])
         yield Figure(
-            f"answers per minute, {word}, {slots} at work at once",
+            f"answers per minute, {word}, {slots} in parallel",
             f"{per_minute:.0f}",
             f"{passed} of {number} passed, {isolation}",
             "≥ 150",
@@ -433,9 +435,9 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
             {"per_minute": round(per_minute, 1), "passed": passed, "answers": number},
         )
         yield Figure(
-            f"  processor time per answer, {word}, in bare nodes",
+            f"  CPU time per answer, {word}, in bare nodes",
             f"{cpu / bare_cpu:.1f} ×",
-            f"{cpu:.2f} s, the start of slots included; {bare[-2]:.2f} and {bare[-1]:.2f} s",
+            f"{cpu:.2f} s, including the start of slots; {bare[-2]:.2f} and {bare[-1]:.2f} s",
             "≤ 2 ×",
             cpu <= 2 * bare_cpu,
             {"cpu_s": round(cpu, 4), "bare_cpu_s": round(bare_cpu, 4), "ratio": round(cpu / bare_cpu, 3)},
@@ -443,7 +445,7 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
 
 
 def last_test_run(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """What the report of the last `make test` says; style and types, some ten seconds, are not in it."""
+    """Report how long the last `make test` took. Its style and type checks (some ten seconds) aren't included."""
     report = ARTIFACTS / "pytest.xml"
     if not report.is_file():
         yield Figure("make test", "no report yet", "run `make test` first", "< 900 s")
@@ -455,11 +457,11 @@ def last_test_run(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Fi
 
 
 def lab_starts(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """A later start of `make lab`, until the home page can be used; then the first cell of the first lesson."""
+    """Measure a later start of `make lab` until the home page shows, and then the first cell of the first lesson."""
     from lab_start import measured_starts, missing
 
     if missing() is not None:
-        yield Figure("a later start of JupyterLab", "not here", missing() or "")
+        yield Figure("a later start of JupyterLab", "not measured", missing() or "")
         return
     starts, answers = measured_starts(size.wall_runs)
     yield of_times("a later start of JupyterLab, until the home page shows", starts, 5.0)
@@ -467,7 +469,7 @@ def lab_starts(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
 
 
 def frames(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """Script time of a frame in the panel, where the robot moves and where it rests."""
+    """Measure the script time per frame in the panel, for a moving and for a resting robot."""
     from playwright.sync_api import sync_playwright
 
     from tests.browser.stage_frames import MOST_SCRIPT_MS, VIEW, script_ms
@@ -475,7 +477,7 @@ def frames(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
 
     path = chromium()
     if path is None:
-        yield Figure("script per frame", "not here", "needs a Chromium")
+        yield Figure("script time per frame", "not measured", "needs a Chromium")
         return
     with tempfile.TemporaryDirectory() as home, sync_playwright() as playwright:
         browser = playwright.chromium.launch(
@@ -487,7 +489,7 @@ def frames(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
         for name, spent in script_ms(page).items():
             mean = statistics.fmean(spent)
             yield Figure(
-                f"script per frame: {name}",
+                f"script time per frame: {name}",
                 f"{mean:.2f} ms",
                 f"longest {max(spent):.1f} ms, {len(spent)} frames",
                 f"< {MOST_SCRIPT_MS:g} ms",
@@ -498,14 +500,14 @@ def frames(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
 
 
 def class_server(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """A class at a hub: memory of a student, and how long the card takes when ten students check per minute."""
+    """Measure a class at a hub: memory per student, and the time to a card at ten checks per minute."""
     try:
         from tests.hub.measured_class import measure
     except ImportError:
-        yield Figure("a class on one server", "not here", "make env EXTRAS=hub")
+        yield Figure("a class on one server", "not measured", "make env EXTRAS=hub")
         return
     if os.geteuid() != 0 or sandbox_problem() is not None:
-        yield Figure("a class on one server", "not here", "needs root and bubblewrap")
+        yield Figure("a class on one server", "not measured", "needs root and bubblewrap")
         return
     seen = measure(size.students, STEM, answer.text)
     yield of_times(f"{size.students} students: a server starts in", seen.starts)
@@ -560,14 +562,14 @@ def line(figure: Figure) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Exit code 0 when every aim is met."""
-    parser = argparse.ArgumentParser(description="What `make bench` runs.")
+    """Run the chosen parts. Return exit code 0 if every aim is met."""
+    parser = argparse.ArgumentParser(description="Run the measurements of `make bench`.")
     parser.add_argument("--quick", action="store_true", help="a shorter run")
-    parser.add_argument("--repeats", type=int, help="how often to judge for the verdict flips")
+    parser.add_argument("--repeats", type=int, help="how many answers to judge for the verdict flips")
     parser.add_argument(
-        "--only", choices=tuple(PARTS), action="append", help="this part (may be given again)"
+        "--only", choices=tuple(PARTS), action="append", help="run only this part (may be repeated)"
     )
-    parser.add_argument("--gradings", type=int, help="how often to grade for the fairness part")
+    parser.add_argument("--gradings", type=int, help="how many answers to grade for the fairness part")
     options = parser.parse_args(arguments)
     size = QUICK if options.quick else FULL
     if options.repeats is not None:
@@ -576,13 +578,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         size = replace(size, gradings=max(1, options.gradings))
     exercise = load_exercise(STEM, ROOT)
     answer = read_answer(SOLUTION, STEM)
-    print(f"{CORES} processors, Python {sys.version.split()[0]}, exercise {STEM}\n")
+    print(f"{CORES} CPUs, Python {sys.version.split()[0]}, exercise {STEM}\n")
     print(f"  {'figure':<66} {'measured':>14}  {'aim':<8}  spread")
     figures: list[Figure] = []
     loads: dict[str, float] = {}
     for name in options.only or [part for part in PARTS if part not in ONLY_WHEN_ASKED]:
         loads[name] = os.getloadavg()[0]
-        print(f"── {name} (load average {loads[name]:.1f} on {CORES} processors)", flush=True)
+        print(f"── {name} (load average {loads[name]:.1f} on {CORES} CPUs)", flush=True)
         for figure in PARTS[name](size, exercise, answer):
             figures.append(figure)
             print(line(figure), flush=True)

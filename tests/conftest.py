@@ -1,9 +1,11 @@
-"""How the tests are spread over workers, and what tests of several folders need.
+"""Distribute the tests over workers, and provide fixtures that tests in several folders need.
 
-A file stays together, long ones begin first, lessons go side by side. There are more workers than processors, because
-most tests wait most of the time. The proofs of the exercises come first, with nothing beside them: what is judged on
-the wall clock is judged once where nothing disturbs it. In the whole run, those on robot time keep all processors busy
-by themselves; the few of `make test` go side by side with the other tests.
+The tests of a file stay together, long files begin first, and lessons run in parallel. There are more workers than
+CPUs, because most tests wait most of the time.
+
+The proofs of the exercises come first, while no other test runs: an undisturbed answer on the wall clock has to be
+judged only once. In the whole run, the proofs on simulated time keep all CPUs busy by themselves. The few proofs of
+`make test` on simulated time run next to the other tests.
 """
 
 import gc
@@ -45,21 +47,21 @@ LONG_FIRST = (
     "test_nodes_of_12",
     "test_talking",
 )
-"""Files of more than half a minute, so that no worker is left alone with one of them at the end."""
+"""Files that take more than half a minute. They begin first, so that no worker is left alone with one at the end."""
 ON_THE_WALL_CLOCK = {
     stem[:2] for stem in stems(ROOT / "solutions") if load_exercise(stem, ROOT).source.clock == "wall"
 }
-"""Exercises whose proofs go before those of the others."""
+"""Exercises judged on the wall clock. Their proofs go first."""
 OVER = "proofs_over"
-"""The worker that has run the proofs that come alone leaves this file for the others."""
+"""The worker that has run the last proof that comes alone creates this file for the other workers."""
 LOOK_EVERY_S = 0.5
 LONGEST_PROOFS_S = 45 * 60.0
-"""Then the other tests begin, in case the worker with the proofs has died at its last test."""
+"""After this time, the other tests begin anyway, in case the worker with the proofs died at its last test."""
 BROWSERS = 2
-"""How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser has one of its own."""
+"""How many JupyterLabs, each with a Chromium, share the lessons. All other browser tests share one more."""
 
 
-os.environ.pop("COLUMNS", None)  # workers have one, and what is printed there would be broken to fit it
+os.environ.pop("COLUMNS", None)  # set in workers, where it would wrap what the tests print
 
 # Property tests: the same examples in every run, and no deadline that a busy machine could miss.
 settings.register_profile(
@@ -67,20 +69,23 @@ settings.register_profile(
 )
 settings.load_profile("workbook")
 own_server.keep()  # a worker starts hundreds of programs
-gc.disable()  # until all tests are there: to collect garbage among them would take a tenth of the time
+gc.disable()  # until all tests are collected: garbage collection during collection would take a tenth of the time
 
 
 @pytest.fixture(autouse=True)
 def no_spare_slot() -> Iterator[None]:
-    """No test judges in a slot that another one has left: what it changes of slots would have no effect."""
-    warm_slots.close()  # a fixture of the file may have left one
+    """Keep tests from judging in a slot that another test left.
+
+    Otherwise, a test's changes to slots would have no effect.
+    """
+    warm_slots.close()  # a fixture of the file may have left a slot
     yield
     warm_slots.close()
 
 
 @pytest.fixture
 def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder in which this process and those that it starts put their temporary files."""
+    """Create an empty folder for the temporary files of this process and of all processes that it starts."""
     folder = tmp_path / "temporary"
     folder.mkdir()
     monkeypatch.setenv("TMPDIR", str(folder))
@@ -89,13 +94,13 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def pytest_collection_finish() -> None:
-    """What is there now stays: nobody needs to look through it for garbage again."""
+    """Exclude all objects that exist now from garbage collection, because they live as long as the process."""
     gc.freeze()
     gc.enable()
 
 
 def is_on_the_wall_clock(nodeid: str) -> bool:
-    """Whether a test looks at an answer that is judged on the wall clock."""
+    """Return whether a test is a proof of an answer that is judged on the wall clock."""
     number = re.search(r"\[(\d\d)_", nodeid)
     return (
         PurePath(nodeid.partition("::")[0]).stem == PROOFS and bool(number) and number[1] in ON_THE_WALL_CLOCK
@@ -103,7 +108,7 @@ def is_on_the_wall_clock(nodeid: str) -> bool:
 
 
 def group_of(nodeid: str) -> str:
-    """Tests of a group run one after another in one worker. Usually that is a file."""
+    """Return a test's group, usually its file. Tests of a group run one after another in one worker."""
     file, _, rest = nodeid.partition("::")
     stem = PurePath(file).stem
     if stem == "test_notebooks_run":
@@ -126,7 +131,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(optionalhook=True)  # only with pytest-xdist
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Spread by group in the order of collection. (xdist's own groups have no effect under this pytest.)"""
+    """Distribute by group in the order of collection. (xdist's own groups have no effect under this pytest.)"""
     from xdist.scheduler import LoadScopeScheduling
 
     class ByGroup(LoadScopeScheduling):
@@ -142,7 +147,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_configure_node(node: Any) -> None:
-    """For each worker: where they meet."""
+    """Give each worker the path of the file that tells it when the proofs are over."""
     config = node.config
     if not hasattr(config, OVER):
         setattr(config, OVER, Path(tempfile.mkdtemp(prefix="workbook-tests-")) / OVER)
@@ -156,7 +161,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
-    """In a worker: no test begins before the last proof has ended."""
+    """In a worker, start no other test before the last proof has ended."""
     told = getattr(item.config, "workerinput", {}).get(OVER)
     if told is None:
         return (yield)
@@ -170,12 +175,15 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
 
 
 def is_proof(item: pytest.Item) -> bool:
-    """Whether a test belongs to the proofs of the exercises."""
+    """Return whether a test is one of the proofs of the exercises."""
     return item.path.stem == PROOFS
 
 
 def comes_alone(item: pytest.Item) -> bool:
-    """Whether all other tests wait for this one: for every proof in the whole run, for those in real time otherwise."""
+    """Return whether all other tests wait for this one.
+
+    In the whole run, they wait for every proof, otherwise only for those on the wall clock.
+    """
     is_whole = item.config.getoption("markexpr") != "not whole"
     return is_proof(item) and (is_whole or is_on_the_wall_clock(item.nodeid))
 
@@ -191,7 +199,7 @@ def _await_proofs(over: Path, items: Sequence[pytest.Item]) -> None:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Tell how many proofs needed more than one try, by exercise."""
+    """Print for each exercise how many proofs needed more than one try."""
     told = lines_of(report for reports in terminalreporter.stats.values() for report in reports)
     if told:
         terminalreporter.section("answers that needed more than one try")

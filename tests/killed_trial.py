@@ -1,13 +1,15 @@
-"""A class of mixed answers whose grader is killed again and again: `python -m tests.killed_trial [--seed 7]`.
+"""Kill the grader of a class of mixed answers repeatedly: `python -m tests.killed_trial [--seed 7]`.
 
-The class is graded twice: undisturbed, and with a grader that is killed at moments drawn by chance and started again.
-Each answer must have one result, with the same points as in the undisturbed run, every table must be the same but for
-measured numbers, and no process or temporary file may stay behind. Takes some minutes, so CI does not run it;
-`tests/hostile/test_killed_grader.py` kills a grader thirty times there.
+The class is graded twice: once undisturbed, and once by a grader that is killed at random moments and started again.
+Each answer must have one result, with the same points as in the undisturbed run. Every table must be the same except
+for measured numbers, and no process or temporary file may stay behind.
 
-Programs that crash within their first moments are not among the answers: how much is heard of them depends on how busy
-the machine is, whoever is killed. A moment is a number of results and a part of a second after it, so that it is in the
-middle of the work on any machine.
+The trial takes some minutes, so CI does not run it; there, `tests/hostile/test_killed_grader.py` kills a grader thirty
+times.
+
+The class has no programs that crash within their first moments. How much a busy machine records of those depends on
+chance, even if no grader is killed. Each kill comes a random fraction of a second after a given number of results, so
+that it interrupts the work on any machine.
 """
 
 import argparse
@@ -56,7 +58,7 @@ LOOK_EVERY_S = 0.05
 
 
 def texts(number: int) -> dict[str, str]:
-    """So many answers by student: right, wrong and hostile ones in turn, no two alike."""
+    """Return `number` answers by student: right, wrong, and hostile ones in turn, no two alike."""
     right = ROOT / "tests" / "right_answers" / STEM
     hostile = Path(__file__).parent / "hostile" / "answers"
     solution = load_exercise(STEM, ROOT).source.solution_code
@@ -74,7 +76,7 @@ def texts(number: int) -> dict[str, str]:
 
 @dataclass
 class Trial:
-    """One grading of the class below `folder`, which holds a home and temporary files of its own."""
+    """One grading of the class. Its home and its temporary files are below `folder`."""
 
     folder: Path
     answers: Path
@@ -103,13 +105,16 @@ class Trial:
         )
 
     def complete(self) -> list[dict[str, Any]]:
-        """The results that are written out."""
+        """Return the results that have been written."""
         path = self.out / "results.jsonl"
         lines = path.read_bytes().split(b"\n")[:-1] if path.exists() else []
         return [json.loads(line) for line in lines]
 
     def kill_at(self, results: int, later_s: float) -> bool:
-        """Start the grader and kill it after so many results. Returns whether it was killed in the middle."""
+        """Start the grader, and kill it after `results` results.
+
+        Return whether it was still running when it was killed.
+        """
         with self.start() as grader:
             while grader.poll() is None and len(self.complete()) < results:
                 self.traces.look()
@@ -123,7 +128,7 @@ class Trial:
         return False
 
     def finish(self) -> int:
-        """Let the grader come to its end. Returns its exit code."""
+        """Let the grader finish. Return its exit code."""
         with self.start() as grader:
             while grader.poll() is None:
                 self.traces.look()
@@ -131,7 +136,7 @@ class Trial:
         return grader.returncode
 
     def left(self) -> list[str]:
-        """Processes and files that are still there after a while."""
+        """Wait a while, then return the processes and files that are still there."""
         until = time.monotonic() + GONE_S
         while (there := self.traces.look()) and time.monotonic() < until:
             time.sleep(LOOK_EVERY_S)
@@ -139,7 +144,7 @@ class Trial:
         return [*there.values(), *map(str, files)]
 
     def marks(self) -> dict[str, tuple[object, ...]]:
-        """What each student got, criterion by criterion."""
+        """Return each student's status, score, and points by criterion."""
         return {
             one["student"]: (
                 one["status"],
@@ -151,7 +156,10 @@ class Trial:
 
 
 def rows_of(table: Path) -> list[list[str]]:
-    """A table without what differs between any two runs: numbers in sentences, and whether the machine was busy."""
+    """Return a table without the values that differ between any two runs.
+
+    These are the numbers in feedback, the number of tries, and the remarks, which mention a busy machine.
+    """
     with table.open(newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
     kept = [number for number, name in enumerate(rows[0]) if name not in ("tries", "remark")]
@@ -160,7 +168,7 @@ def rows_of(table: Path) -> list[list[str]]:
 
 
 def differences(undisturbed: Trial, killed: Trial, students: set[str]) -> list[str]:
-    """What is not as it must be, as sentences."""
+    """Return a sentence for each difference between the two gradings."""
     found = []
     counted = Counter(one["student"] for one in killed.complete())
     found += [f"{student} has {counted[student]} results" for student in students if counted[student] != 1]
@@ -184,7 +192,7 @@ def differences(undisturbed: Trial, killed: Trial, students: set[str]) -> list[s
 
 
 def main() -> int:
-    """Run the trial, say what was seen, and return 1 if something was lost, doubled or left behind."""
+    """Run the trial and print the outcome. Return 1 if a result was lost or doubled, or if anything was left behind."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--answers", type=int, default=60)
     parser.add_argument("--kills", type=int, default=5)

@@ -1,6 +1,6 @@
-"""How long a student waits: from `workbook lab` to a page to use, and from the first key to the first answer.
+"""Measure a student's waits: from `workbook lab` to a usable page, and from the first key to the first output.
 
-For `make bench` (tests/bench.py): a real JupyterLab and a Chromium that is running already.
+`make bench` (tests/bench.py) uses this, with a real JupyterLab and a Chromium that is already running.
 """
 
 import tempfile
@@ -17,18 +17,18 @@ LESSON = "notebooks/00_start_here.ipynb"
 
 
 def missing() -> str | None:
-    """What is missing to measure it; None when all is there."""
+    """Return why the measurement is impossible here, or None."""
     return None if chromium() is not None else "no Chromium"
 
 
 def measured_starts(times: int) -> tuple[list[float], list[float]]:
-    """Seconds of so many later starts, and of the first cell in each, once its kernel is idle."""
+    """Return the seconds of `times` later starts, and those of the first cell after each start."""
     starts, answers = [], []
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=chromium(), args=["--no-sandbox", "--disable-dev-shm-usage"]
         )
-        StudentLab(Path(folder)).close()  # the first start, which copies the lessons
+        StudentLab(Path(folder)).close()  # the first start copies the lessons
         for _ in range(times):
             start, answer = one_start(browser, Path(folder))
             starts.append(start)
@@ -38,7 +38,7 @@ def measured_starts(times: int) -> tuple[list[float], list[float]]:
 
 
 def one_start(browser: Browser, folder: Path) -> tuple[float, float]:
-    """One later start, in a browser without anything kept from the one before."""
+    """Measure one later start, in a browser that kept nothing from earlier ones."""
     context = browser.new_context(viewport={"width": 1280, "height": 800})
     began = time.monotonic()
     lab = StudentLab(folder)

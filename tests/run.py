@@ -1,9 +1,9 @@
-"""Everything that `make test` proves, in order; pytest's own summary comes last.
+"""Run everything that `make test` proves, in order. pytest's own summary comes last.
 
-`--all` is `make test-all`: every answer, every lesson in the browser, and whatever else is marked `whole`.
-`python tests/run.py --only lint` (or style, types, notebooks, collection, pytest) runs a part. How busy the processors
-were meanwhile is in `artifacts/processors.tsv`.
-With CI=true a skipped test that `.ci/allowed_skips` does not list is a failure.
+`--all` is `make test-all`: every answer, every lesson in the browser, and everything else that is marked `whole`.
+`python tests/run.py --only lint` (or style, types, notebooks, collection, pytest) runs one part. During the tests, the
+load of the CPUs is written to `artifacts/processors.tsv`. With CI=true, a skipped test that `.ci/allowed_skips` does
+not list is a failure.
 """
 
 import argparse
@@ -23,12 +23,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 ARTIFACTS = ROOT / "artifacts"
 ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
-# mypy sees each of them alone: files of the same name in two of them are no clash.
+# mypy checks each folder separately, so two folders may contain files of the same name.
 TYPED_FOLDERS = (
     *("workbook", "deploy", "lesson_nodes", "solutions"),
     *("exercises/criteria", "exercises/drivers", "exercises/partners"),
 )
-# Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
+# Lessons, browsers, and judges wait most of the time. With fewer workers, CPUs would be idle.
 JOBS = str(min(8, 3 * len(os.sched_getaffinity(0))))
 TESTS_LIMIT_S = 76 * 60.0
 SUMMARY_LIMIT_S = 120.0
@@ -38,9 +38,9 @@ LOOK_EVERY_S = 5.0
 
 @dataclass(frozen=True)
 class Step:
-    """One command of the proof.
+    """One command of the run.
 
-    `quiet`: what it says matters only when it fails.
+    `quiet`: print its output only if it fails.
     """
 
     name: str
@@ -51,7 +51,10 @@ class Step:
 
 
 def steps(jobs: str = JOBS, *, whole: bool = False) -> list[Step]:
-    """Quick ones first; pytest last, because its summary is what a person looks for. `jobs`: its workers."""
+    """Return the steps, short ones first. pytest is last, because its summary is what people look for.
+
+    `jobs`: the number of its workers.
+    """
     from workbook.lab.health import chromium
 
     python = sys.executable
@@ -64,7 +67,7 @@ def steps(jobs: str = JOBS, *, whole: bool = False) -> list[Step]:
             found.append(Step(f"mypy {folder}", "types", (python, "-m", "mypy", folder)))
     authoring = (python, "-m", "workbook.authoring")
     found.append(Step("notebooks match their text", "notebooks", (*authoring, "check")))
-    # Beside mypy, which keeps one processor busy. What pytest makes of the tests' files then serves all its workers.
+    # This runs next to mypy, which keeps only one CPU busy. pytest compiles the tests' files once, for all its workers.
     collect = (python, "-m", "pytest", "--collect-only", "-qq")
     found.append(Step("tests can be collected", "collection", collect, quiet=True))
     tested = ARTIFACTS / "pytest.xml"
@@ -77,13 +80,16 @@ def steps(jobs: str = JOBS, *, whole: bool = False) -> list[Step]:
 
 
 def chosen(all_steps: Iterable[Step], only: str | None) -> list[Step]:
-    """The steps of a group; `lint` means style and types."""
+    """Return the steps of a group; `lint` means style and types."""
     groups = {"lint": ("style", "types")}.get(only or "", (only,))
     return [step for step in all_steps if only is None or step.group in groups]
 
 
 def environment() -> dict[str, str]:
-    """For the steps: no variable of a sourced ROS, the environment's own programs first."""
+    """Return the environment for the steps.
+
+    It has no variables of a sourced ROS, and this environment's programs come first on the PATH.
+    """
     from workbook.ros.environment import is_leftover
 
     environ = {name: value for name, value in os.environ.items() if not is_leftover(name)}
@@ -91,13 +97,13 @@ def environment() -> dict[str, str]:
     environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), environ.get("PATH", os.defpath)])
     environ.setdefault(
         "OPENBLAS_NUM_THREADS", "1"
-    )  # hundreds of processes: each would start a thread per processor
+    )  # there are hundreds of processes, and each would start a thread per CPU
     environ["MPLBACKEND"] = environ.get("MPLBACKEND", "agg")
     return environ
 
 
 def missing_tools() -> list[str]:
-    """What the checks that will be skipped lack, in a sentence each."""
+    """Say which checks will be skipped because a tool is missing, in one sentence per tool."""
     from workbook.isolation.bubblewrap import sandbox_problem
     from workbook.lab.health import chromium
 
@@ -111,7 +117,7 @@ def missing_tools() -> list[str]:
 
 
 def skipped(report: Path) -> list[tuple[str, str]]:
-    """Skipped tests of a JUnit report: name and reason. Expected failures are not skips."""
+    """Return the skipped tests of a JUnit report: name and reason. Expected failures don't count."""
     if not report.is_file():
         return []
     found = []
@@ -123,19 +129,20 @@ def skipped(report: Path) -> list[tuple[str, str]]:
 
 
 def unlisted(skips: Iterable[tuple[str, str]], patterns: Sequence[str]) -> list[tuple[str, str]]:
-    """Skips that no pattern of `.ci/allowed_skips` covers."""
+    """Return the skipped tests that no pattern in `.ci/allowed_skips` covers."""
     return [skip for skip in skips if not any(fnmatch(skip[0], pattern) for pattern in patterns)]
 
 
 def allowed_patterns(text: str) -> list[str]:
-    """One pattern a line; `#` begins a comment."""
+    """Return the patterns, one per line. `#` begins a comment."""
     return [line for line in (raw.partition("#")[0].strip() for raw in text.splitlines()) if line]
 
 
 def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
-    """Run all steps, whatever fails, and return what failed, in a line each. The tests come last, and alone.
+    """Run all steps, even if some fail. Return one line for each failure.
 
-    Before them, the steps of a group run one after another (mypy keeps what it has learned), groups side by side.
+    The groups run in parallel, and the steps of a group one after another, because mypy reuses its cache. The tests
+    come last, after everything else has ended.
     """
     environ = environment()
     ARTIFACTS.mkdir(exist_ok=True)
@@ -153,14 +160,14 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
             say(f"── {step.name}")
             with BusyProcessors(ARTIFACTS / PROCESSORS) as processors:
                 failed += _run_tests(step, environ, TESTS_LIMIT_S)
-            say(f"   The processors were busy for {processors.share:.0%} of the time ({PROCESSORS}).")
+            say(f"   The CPUs were busy for {processors.share:.0%} of the time ({PROCESSORS}).")
     return failed
 
 
 class BusyProcessors:
-    """Writes down every few seconds which share of the processors is at work. Use it as a context manager.
+    """Write down every few seconds how busy the CPUs are. Use it as a context manager.
 
-    What is idle while tests still wait shows what a better order of them could gain.
+    CPUs that are idle while tests still wait show that a better order would save time.
     """
 
     def __init__(self, path: Path) -> None:
@@ -171,7 +178,7 @@ class BusyProcessors:
 
     @property
     def share(self) -> float:
-        """The share of all processors that was at work from the beginning up to the last look."""
+        """The share of all CPUs that was busy from the beginning to the last measurement."""
         (_, busy, total), (_, busy_now, total_now) = self._seen[0], self._seen[-1]
         return (busy_now - busy) / max(1, total_now - total)
 
@@ -187,7 +194,7 @@ class BusyProcessors:
             print(f"{now[0] - self._seen[0][0]:.0f}\t{now[0] - then:.1f}\t{share:.2f}", file=file)
 
     def __enter__(self) -> "BusyProcessors":
-        self._path.write_text("after (s)\tlooked at (s)\tbusy\n", encoding="utf-8")
+        self._path.write_text("time (s)\tinterval (s)\tbusy\n", encoding="utf-8")
         self._thread.start()
         return self
 
@@ -198,16 +205,16 @@ class BusyProcessors:
 
 
 def busy_and_all() -> tuple[int, int]:
-    """Time of all processors since the machine was started, in ticks: at work (for us or others), and in all."""
+    """Return the CPU time since the machine started, in ticks: busy (for us or others), and total."""
     times = [
         int(word) for word in Path("/proc/stat").read_text(encoding="utf-8").split("\n", 1)[0].split()[1:9]
     ]
-    idle = times[3] + times[4]  # with nothing to do, and waiting for a disk
+    idle = times[3] + times[4]  # idle, and waiting for a disk
     return sum(times) - idle, sum(times)
 
 
 def _run_tests(step: Step, environ: dict[str, str], limit_s: float) -> list[str]:
-    """Run the tests; after `limit_s` interrupt them as Ctrl-C does, so that they still say what has failed."""
+    """Run the tests. After `limit_s`, interrupt them as Ctrl-C does, so that they still report their failures."""
     running = subprocess.Popen(step.command, cwd=ROOT, env=environ)
     try:
         code = running.wait(limit_s)
@@ -221,13 +228,13 @@ def _run_tests(step: Step, environ: dict[str, str], limit_s: float) -> list[str]
             running.wait()
         return [f"{step.name} (did not end within {limit_s:g} s)"]
     except BaseException:
-        # Ctrl-C reaches the tests as well: let them say what they saw.
+        # Ctrl-C interrupts the tests as well. Wait, so that they can print their summary.
         running.wait()
         raise
 
 
 def _run_quick(step: Step, environ: dict[str, str], say: Callable[[str], None]) -> list[str]:
-    """Run a step that is short, and say in one piece what it said. Returns a line if it failed."""
+    """Run a short step and print its output in one piece. Return a line if it failed."""
     started = time.monotonic()
     done = subprocess.run(
         step.command, cwd=ROOT, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
@@ -240,15 +247,17 @@ def _run_quick(step: Step, environ: dict[str, str], say: Callable[[str], None]) 
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Exit code 0 when everything holds."""
-    parser = argparse.ArgumentParser(description="What `make test` runs.")
+    """Run the chosen steps. Return exit code 0 if all of them passed."""
+    parser = argparse.ArgumentParser(description="Run the steps of `make test`.")
     parser.add_argument("--only", choices=("lint", "style", "types", "notebooks", "collection", "pytest"))
     parser.add_argument(
-        "--jobs", type=int, default=int(JOBS), help="workers of pytest (default: %(default)s)"
+        "--jobs", type=int, default=int(JOBS), help="number of pytest workers (default: %(default)s)"
     )
-    parser.add_argument("--all", action="store_true", help="the whole run: also what is marked `whole`")
+    parser.add_argument(
+        "--all", action="store_true", help="the whole run, including the tests marked `whole`"
+    )
     options = parser.parse_args(arguments)
-    # In the background of a shell script Ctrl-C is ignored, by us and by every program that a test would interrupt.
+    # A shell script's background jobs ignore Ctrl-C. Every program that a test interrupts would inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     plan = chosen(steps(str(options.jobs), whole=options.all), options.only)
     lacking = missing_tools() if any(step.group == "pytest" for step in plan) else []
@@ -264,11 +273,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         reports = [step.report for step in plan if step.report is not None]
         skips = [skip for report in reports for skip in skipped(report)]
         failed += [
-            f"skipped, and not in .ci/allowed_skips: {name} ({why})"
+            f"skipped, but not listed in .ci/allowed_skips: {name} ({why})"
             for name, why in unlisted(skips, patterns)
         ]
     if failed:
-        print("\nNot all holds:", *(f"  ✗ {line}" for line in failed), sep="\n", flush=True)
+        print("\nFailures:", *(f"  ✗ {line}" for line in failed), sep="\n", flush=True)
     return 1 if failed else 0
 
 

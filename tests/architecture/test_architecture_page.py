@@ -1,4 +1,4 @@
-"""docs/architecture.md names modules and layers that exist, and all of them."""
+"""docs/architecture.md lists every module and layer, and no others."""
 
 import re
 from pathlib import Path

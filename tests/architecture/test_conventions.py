@@ -1,4 +1,4 @@
-"""What every module of `workbook/` keeps to: docstrings, sizes, one name for one thing."""
+"""The conventions for all modules of `workbook/`: docstrings, sizes, and one name per concept."""
 
 import ast
 import re
@@ -25,7 +25,7 @@ def tree_of(path: Path) -> ast.Module:
 
 
 def public(body: list[ast.stmt]) -> Iterator[Definition]:
-    """Public functions and classes of a module, and the public methods of those classes."""
+    """Return the public functions and classes of a module, and the public methods of those classes."""
     for node in body:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and node.name[0] != "_":
             yield node

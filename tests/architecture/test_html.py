@@ -1,4 +1,4 @@
-"""HTML comes from templates, which escape by themselves: no tag and no escaping is written by hand."""
+"""HTML comes from templates, which escape automatically. No code writes tags or escapes by hand."""
 
 import ast
 import re
@@ -17,7 +17,7 @@ TAG = re.compile(
     r"summary|svg|table|tbody|td|th|thead|tr|ul)\b[^a-z]"
 )
 SAY_WHICH_TAGS_TO_WRITE = {"workbook/authoring/template.py"}
-"""Messages to authors of lessons, who write Markdown with tags in it."""
+"""Messages to authors of lessons, whose Markdown contains tags."""
 
 
 def label(path: Path) -> str:
@@ -25,7 +25,7 @@ def label(path: Path) -> str:
 
 
 def html_by_hand(path: Path) -> list[int]:
-    """Lines with a tag in a formatted text, or with the escaping of the standard library."""
+    """Return the lines that have a tag in a formatted text, or that escape with the standard library."""
     found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.JoinedStr):
@@ -72,7 +72,7 @@ def test_a_template_escapes_and_names_what_is_missing() -> None:
 
 
 def test_the_wheel_takes_whole_packages_along() -> None:
-    """flit packs every file of the package unless it is told to leave some out."""
+    """flit includes every file of the package unless it is told to exclude some."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     assert project["build-system"]["build-backend"] == "flit_core.buildapi"
     assert project["tool"]["flit"] == {"module": {"name": "workbook"}}

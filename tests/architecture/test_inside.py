@@ -1,4 +1,4 @@
-"""The files of `workbook/inside` stand alone: they need the standard library and each other, or what is named here."""
+"""The files of `workbook/inside` need only the standard library, each other, and the exceptions listed here."""
 
 import re
 import subprocess
@@ -20,7 +20,10 @@ MAY_IMPORT = {
     "tap.py": {"rclpy"},
     "machine_tap.py": {"rclpy"},
 }
-"""What else than the standard library. `import_cache.py` imports by name what answers need."""
+"""What each file may import in addition to the standard library.
+
+`import_cache.py` imports by name what answers need.
+"""
 STARTED_BY_RUN = ("confine", "fork_server", "group_keeper", "host", "mypy_server", "subreaper", "sweeper")
 PROC = re.compile(r"[\"']/proc/")
 MENTIONS_PROC = {
@@ -29,8 +32,7 @@ MENTIONS_PROC = {
     "workbook/inside/landlock.py",
     "workbook/inside/tier_probe.py",
 }
-"""The module that reads /proc and its part about open files, the rule of Landlock that lets a program do so, and a
-program of our own."""
+"""The module that reads /proc with its part about open files, Landlock's rule that allows it, and a helper program."""
 
 
 @pytest.mark.parametrize("path", FILES, ids=label)
@@ -47,7 +49,7 @@ def test_it_imports_the_standard_library_and_its_siblings_only(path: Path) -> No
 
 @pytest.mark.parametrize("name", STARTED_BY_RUN)
 def test_it_is_loaded_without_the_workbook(name: str) -> None:
-    """Nothing of the workbook is found beside the folder, and nothing of it is left among the modules."""
+    """Only this folder can be imported, and none of its modules stay loaded."""
     program = (
         "import runpy, sys\n"
         "space = runpy.run_path(sys.argv[1])\n"

@@ -25,7 +25,7 @@ LAYERS = (
     ("ros",),
     ("inside",),
 )
-"""From top to bottom. A package imports from the layers below, and within its layer as long as no circle closes."""
+"""From top to bottom. A package may import from lower layers, and from its own layer if that makes no cycle."""
 ONLY = {
     "inside": set(),
     "recording": set(),
@@ -33,7 +33,7 @@ ONLY = {
     "models": {"scenes"},
     "criteria": {"recording", "scenes"},
 }
-"""Packages that may import fewer packages of the workbook than their layer would allow: they run without ROS."""
+"""Packages that may import fewer packages of the workbook than their layer allows, because they run without ROS."""
 DEPTH_OF = {package: depth for depth, layer in enumerate(LAYERS) for package in layer}
 MESSAGES = {
     "std_msgs",
@@ -49,7 +49,7 @@ MODULES = sorted((ROOT / "workbook").rglob("*.py"))
 
 
 def imported(path: Path) -> set[str]:
-    """Full names of all modules that a file imports, wherever in the file."""
+    """Return the fully qualified names of all modules that a file imports, anywhere in the file."""
     names: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
@@ -65,13 +65,13 @@ def label(path: Path) -> str:
 
 
 def packages_imported(path: Path) -> set[str]:
-    """The packages of the workbook that a file imports, without its own."""
+    """Return the other packages of the workbook that a file imports."""
     found = {name.split(".")[1] for name in imported(path) if name.startswith("workbook.")}
     return (found & set(DEPTH_OF)) - {path.relative_to(ROOT / "workbook").parts[0]}
 
 
 def points_up(path: Path) -> set[str]:
-    """The packages above its own layer that a file imports."""
+    """Return the packages above its own layer that a file imports."""
     parts = path.relative_to(ROOT / "workbook").parts
     if len(parts) < 2:
         return set()
@@ -129,7 +129,7 @@ def test_a_detector_waits_for_neither_torch_nor_keras() -> None:
 
 
 def test_templating_is_below_all_layers() -> None:
-    """It imports nothing of the workbook but how text is made plain, which needs the standard library only."""
+    """From the workbook, it imports only the module that makes text plain, which needs only the standard library."""
     found = {name for name in imported(ROOT / "workbook" / "templating.py") if name.startswith("workbook")}
     plain_text = "workbook.recording.plain_text"
     assert found <= {plain_text, f"{plain_text}.without_commands"}
@@ -146,7 +146,7 @@ def test_who_shows_no_html_does_not_wait_for_jinja2(module: str) -> None:
 
 @pytest.mark.parametrize("path", sorted((ROOT / "exercises" / "criteria").glob("*.py")), ids=label)
 def test_criteria_import_the_vocabulary_and_messages_only(path: Path) -> None:
-    """The vocabulary through its face, `workbook.criteria`, whose modules may change places."""
+    """Criteria import the vocabulary from `workbook.criteria`, so its modules can be rearranged."""
     for name in imported(path):
         top = name.split(".")[0]
         assert not name.startswith("workbook.criteria.vocabulary"), name

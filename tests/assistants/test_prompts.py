@@ -1,4 +1,4 @@
-"""*Talk it through*: a prompt to copy, and two wrong claims, each of which a test has tried."""
+"""*Talk it through*: a prompt to copy, and two wrong claims, each of which has a test."""
 
 import re
 from pathlib import Path
@@ -28,7 +28,7 @@ def claims(path: Path) -> list[str]:
 
 
 def tried() -> list[str]:
-    """The claims that have a test: its docstring."""
+    """Return the claims that have a test, from the tests' docstrings."""
     tests = re.findall(
         r'^def test_\w+\([^)]*\) -> None:\n    """(.+?)"""$', CLAIMS.read_text(encoding="utf-8"), _LINES
     )

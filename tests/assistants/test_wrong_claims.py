@@ -1,6 +1,6 @@
-"""What a lesson says about the replies of assistants: each wrong claim is tried with the rclpy of this course.
+"""Each wrong claim of an assistant that a lesson warns about is tried with this course's rclpy.
 
-The docstring of a test is the claim as the lesson has it ("What to check in the reply"); test_prompts.py compares them.
+A test's docstring is the claim in the lesson's words ("What to check in the reply"). test_prompts.py compares them.
 """
 
 import array
@@ -44,7 +44,7 @@ from workbook.scenes.tabletop import tabletop
 
 LONGEST_S = 20.0
 SHORT_S = 0.3
-"""For what never comes: the end of it is what a program would wait for, too."""
+"""How long to wait for things that never come. A program would wait for the end of it, too."""
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def spin_aside(executor: Executor) -> threading.Thread:
 
 
 def run(domain: int, code: str, **environ: str) -> "subprocess.CompletedProcess[str]":
-    """A program of its own, with rclpy's own signal handlers and no checks of fields."""
+    """Run a separate program, with rclpy's own signal handlers and without field checks."""
     ours = child_environment(domain)
     ours.pop("ROS_PYTHON_CHECK_FIELDS", None)
     command = [sys.executable, "-c", code]
@@ -269,7 +269,7 @@ def test_missed_ticks_come_later(executor: SingleThreadedExecutor, node: Node) -
 
     node.create_timer(period_s, tick)
     spin_until(executor, lambda: bool(ticks) and time.monotonic() - ticks[0] >= work_s + 2 * period_s)
-    assert len(ticks) < work_s / period_s  # caught up with, ten would have come
+    assert len(ticks) < work_s / period_s  # if missed ticks came later, there would be ten
 
 
 def test_use_a_rate(node: Node, context: Context) -> None:
@@ -278,7 +278,9 @@ def test_use_a_rate(node: Node, context: Context) -> None:
     began, woke = threading.Event(), threading.Event()
 
     def callback() -> None:
-        rates.append(node.create_rate(20))  # here: a tick before the first sleep would let it return at once
+        rates.append(
+            node.create_rate(20)
+        )  # otherwise, a tick before the first sleep would make it return immediately
         began.set()
         rates[-1].sleep()
         woke.set()
@@ -289,7 +291,7 @@ def test_use_a_rate(node: Node, context: Context) -> None:
     thread = spin_aside(own)
     assert began.wait(LONGEST_S)
     assert not woke.wait(1.0)  # twenty periods
-    rates[0].destroy()  # lets it go, for the sake of the tests after this one
+    rates[0].destroy()  # releases the sleeping thread, for the sake of later tests
     context.try_shutdown()
     thread.join(LONGEST_S)
 
@@ -479,7 +481,7 @@ def ask_while_spinning(executor: SingleThreadedExecutor, node: Node, ask: Callab
 
 @pytest.fixture
 def arms(domain: int) -> Iterator[None]:
-    """A server that responds at once, in a thread of its own."""
+    """Start a server that responds immediately, in a separate thread."""
     other = Context()
     rclpy.init(context=other, domain_id=domain, signal_handler_options=rclpy.SignalHandlerOptions.NO)
     server = Node("arms", context=other, start_parameter_services=False)
@@ -589,7 +591,7 @@ def test_reshape_without_step() -> None:
 def test_a_subscription_with_a_plain_ten() -> None:
     """`create_subscription(Image, "/camera/image", self.on_image, 10)`"""
     camera = QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)
-    plain_ten = QoSProfile(depth=10)  # what rclpy makes of the number
+    plain_ten = QoSProfile(depth=10)  # rclpy's QoS profile for the number
     assert plain_ten.reliability == ReliabilityPolicy.RELIABLE
     assert qos_check_compatible(camera, plain_ten)[0] == QoSCompatibility.ERROR
 

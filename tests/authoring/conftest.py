@@ -1,4 +1,4 @@
-"""A small course to build: one lesson on plain Python, one exercise from the skeleton."""
+"""Build a small course: one lesson on plain Python, and one exercise from the skeleton."""
 
 import shutil
 from pathlib import Path
@@ -24,7 +24,7 @@ def make_course(root: Path) -> Tree:
 
 @pytest.fixture(scope="session")
 def built_once(tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    """The course with its notebooks, built and run once. Do not change it."""
+    """Build and run the course's notebooks once. Don't change the result."""
     tree = make_course(tmp_path_factory.mktemp("built") / "course")
     said: list[str] = []
     assert build(tree, say=said.append) == 0, said
@@ -33,6 +33,6 @@ def built_once(tmp_path_factory: pytest.TempPathFactory) -> Tree:
 
 @pytest.fixture
 def course(built_once: Tree, tmp_path: Path) -> Tree:
-    """A copy of the built course, to change as you like."""
+    """Copy the built course, so that a test may change it."""
     shutil.copytree(built_once.root, tmp_path / "course")
     return Tree(tmp_path / "course")

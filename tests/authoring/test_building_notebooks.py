@@ -1,4 +1,4 @@
-"""Building: the same text gives the same bytes, and only what changed is run again."""
+"""Build notebooks: the same text gives the same bytes, and only changed notebooks run again."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The check: each way in which notebooks and files can be wrong is found and named."""
+"""The check finds and names every kind of error in notebooks and files."""
 
 import json
 from collections.abc import Callable
@@ -301,7 +301,7 @@ def test_at_least_four_criteria_earn_points(course: Tree) -> None:
 
 
 def lights(course: Tree) -> Path:
-    """A second lesson."""
+    """Add a second lesson."""
     text = (
         (course.sources / "21_beeps.py")
         .read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""What an exercise source must look like, and what its author is told when it does not."""
+"""The format of an exercise source, and the messages to authors who break it."""
 
 from pathlib import Path
 

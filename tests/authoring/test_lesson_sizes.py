@@ -1,4 +1,4 @@
-"""The size of a lesson: words, cells, minutes, the limits, and the optional notebooks that take what is too much."""
+"""The size of a lesson: words, cells, minutes, their limits, and the optional notebooks for what exceeds them."""
 
 from pathlib import Path
 

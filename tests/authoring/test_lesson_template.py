@@ -1,4 +1,4 @@
-"""The shape of a lesson: what is missing is said in words."""
+"""The structure of a lesson: a message names each missing part."""
 
 from pathlib import Path
 

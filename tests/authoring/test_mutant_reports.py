@@ -1,4 +1,4 @@
-"""Mutants are judged and reported: what a weak criterion lets through is named, and nothing is judged twice."""
+"""Judge mutants and report on them. The report names what a weak criterion accepts, and no mutant is judged twice."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -71,11 +71,11 @@ def good(recording: Recording) -> Verdict:
 READINGS = [0.0, 50.0, 100.0, -3.0, 101.0, 50.0]
 GOOD = [0.0, 50.0, 100.0, 50.0]
 WEAK_READINGS = [50.0, -3.0]
-"""Neither the limits nor anything above them: the judge is blind for half of the rule."""
+"""Neither the limits nor any value above them, so the judge can't test half of the rule."""
 
 
 class PlainJudge:
-    """Runs a program in this process, with what its criteria need, and counts how many there were."""
+    """Runs a program in this process, with what its criteria need, and keeps a list of the judged programs."""
 
     def __init__(self, tree: Tree, readings: Sequence[float]) -> None:
         self.judged: list[str] = []
@@ -106,7 +106,7 @@ def tree(tmp_path: Path) -> Tree:
 
 
 def demand(tree: Tree, wanted: Sequence[float]) -> None:
-    """Write criteria that demand these levels."""
+    """Write criteria that require these levels."""
     text = CRITERIA.replace("{wanted}", repr(list(wanted)))
     (tree.criteria / f"{STEM}.py").write_text(text, encoding="utf-8")
 

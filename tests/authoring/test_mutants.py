@@ -1,4 +1,4 @@
-"""Mutants: each operator makes what it says, classes excuse what they should, ids stay."""
+"""Mutants: each operator makes the changes that it describes, classes excuse the right ones, and ids stay stable."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from workbook.authoring.mutants.making import Mutant, changed_lines, mutants_of
 
 
 def made(program: str, operator: str, *, typed: bool = False) -> set[str]:
-    """What the changed lines become, with blanks for line breaks."""
+    """Return the changed lines, joined by blanks."""
     found = mutants_of("solution", program, typed=typed)
     return {one.after.replace(" ⏎", "") for one in found if one.operator == operator}
 
@@ -87,7 +87,7 @@ class Node:
 
 
 def run(mutant: Mutant) -> list[tuple[object, ...]]:
-    """What three calls of the callback give."""
+    """Run four calls of a mutant's callback, and return what it publishes."""
     said: list[tuple[object, ...]] = []
     space = {"out": lambda *values: said.append(values)}
     exec(mutant.answer.text, space)
@@ -102,8 +102,8 @@ def test_callbacks_forget_or_remember() -> None:
     said = [run(one) for one in mutants if one.scope == "Node.on_message"]
     assert [(1, "a")] in said  # the first time only
     assert [(1, "a"), (2, "b"), (3, "a")] in said  # not the first time, or not twice in a row
-    assert [(1, "a"), (2, "b")] in said  # every second time, or never the same again
-    assert [(1, "a"), (1, "a"), (1, "b"), (1, "a")] in said  # what was counted is lost
+    assert [(1, "a"), (2, "b")] in said  # every second time, or only values that are new
+    assert [(1, "a"), (1, "a"), (1, "b"), (1, "a")] in said  # the count is lost
     assert any("> 5" in one.after for one in mutants)  # stops after a while
     [kept] = [one for one in mutants if one.scope == "Node.angles"]
     assert "cache" in kept.after

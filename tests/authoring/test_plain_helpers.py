@@ -1,4 +1,4 @@
-"""A line in a lesson becomes the box that shows plain rclpy for its helpers."""
+"""A line in a lesson becomes the box that shows plain rclpy code for the lesson's helpers."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The check of the tables of requirements: each fault is told, at its line, with what to do."""
+"""The check of the tables of requirements: it reports each fault with its line and what to do."""
 
 from pathlib import Path
 
@@ -30,7 +30,7 @@ stops. Nothing else matters here.
 
 @pytest.fixture
 def course(tmp_path: Path) -> Tree:
-    """A course of one exercise from the skeleton, not built."""
+    """Create a course with one exercise from the skeleton, not built."""
     tree = Tree(tmp_path)
     new_exercise(tree, STEM)
     return tree
@@ -41,7 +41,7 @@ def table(course: Tree) -> Path:
 
 
 def told(tree: Tree) -> list[str]:
-    """What the check says of tables and exceptions."""
+    """Return what the check reports about tables and exceptions."""
     return [str(one) for one in check(tree) if one.where.startswith(("tests/requirements/", "workbook/"))]
 
 

@@ -1,4 +1,4 @@
-"""The picture of the README: it is made from a recording, it moves, and it is there."""
+"""The README's image of the robot: it comes from a recording, it moves, and it exists."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What the site is made from: its links, its recordings, its error pages, and its predictions."""
+"""The sources of the site: its links, recordings, error pages, and predictions."""
 
 import json
 import re
@@ -22,18 +22,21 @@ TREE = Tree(ROOT)
 LINKS = Links("docs/judge.md", frozenset({"docs/exercises.md", "index.md"}), {"README.md": "index.md"})
 PROGRAMS = {symptom: extra for symptom, extra in extras_by_symptom().items() if extra.program}
 ABORT = "terminate called without an active exception (SIGABRT) when the program ends"
-if sys.version_info >= (3, 14):  # a thread that still runs when Python ends is stopped without an abort
+if sys.version_info >= (
+    3,
+    14,
+):  # from 3.14 on, Python stops a thread that still runs at the end without an abort
     del PROGRAMS[ABORT]
 RUNS = {ABORT: 4}
-"""Of a program whose error depends on the moment: one run in eighty ended before the thread woke up."""
+"""How many times to run a program whose error depends on timing: one run in eighty ended before the thread woke up."""
 MOST_LINES = 22
-"""Of a smallest program."""
+"""The largest length of a minimal program."""
 PARTLY_WORDS = {
     "AssertionError without a text, in the line that makes a QoSProfile": "AssertionError",
     ABORT: "terminate called without an active exception",
     "cv2.error: The function is not implemented": "The function is not implemented",
 }
-"""Titles of pages that add words to what a program prints."""
+"""Titles of pages that contain more than the program's output."""
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""`workbook new`: how files are named and written. That what it writes passes every check: test_templates.py."""
+"""`workbook new`: the names and contents of its files. test_templates.py runs every check on its output."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What `workbook new` writes passes every check untouched: the rules, ruff, mypy, nbval and the proofs."""
+"""The output of `workbook new` passes every check unchanged: the rules, ruff, mypy, nbval, and the proofs."""
 
 import os
 import shutil
@@ -24,20 +24,19 @@ SLUGS = {
     "service": "left_hand",
     "function": "nearest_obstacle",
 }
-"""Short and long: names decide how long lines are."""
-"""Answers that pass live for eight real seconds, and only wait meanwhile."""
+"""Short and long names, because names determine the length of lines."""
 
 pytestmark = [pytest.mark.slow, pytest.mark.whole]
 
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tree]:
-    """A course of four exercises, one of each template, and their lessons; built. Do not change it."""
+    """Build a course of four exercises, one per template, and their lessons. Don't change it."""
     tree = Tree(tmp_path_factory.mktemp("templates"))
     tree.criteria.mkdir(parents=True)
     for name in ("README.md", "CONTRIBUTING.md", "pyproject.toml"):
         shutil.copy(ROOT / name, tree.root)
-    # Not a link to it: what the predictions of the lessons reveal is written there.
+    # A copy, not a link, because the build writes the predictions' sealed answers there.
     unwanted = shutil.ignore_patterns("__pycache__", "sealed")
     shutil.copytree(ROOT / "workbook", tree.root / "workbook", ignore=unwanted)
     with pytest.MonkeyPatch.context() as patch:
@@ -95,7 +94,7 @@ def test_style_and_types_are_right(course: Tree) -> None:
 
 
 def test_the_notebooks_show_what_they_should(course: Tree, capfd: pytest.CaptureFixture[str]) -> None:
-    """One lesson and every exercise, with the starter and then with the solution put in."""
+    """Check one lesson, and every exercise with the starter and then with the solution inserted."""
     failed = compare(course, ["00_lesson_0", *course.exercise_stems()], jobs=len(TEMPLATES))
     assert not failed, capfd.readouterr().out
 

@@ -1,4 +1,4 @@
-"""The stubs of the message packages: up to date, sound, and as strict as field checks at run time."""
+"""The message packages' stubs: up to date, sound, and as strict as the field checks at run time."""
 
 import importlib
 import subprocess

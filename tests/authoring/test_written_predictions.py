@@ -1,4 +1,4 @@
-"""Predictions in the text of a lesson: what goes into the notebook, what is sealed, and which letters are right."""
+"""Predictions in a lesson's text: which parts go into the notebook, which are sealed, and which letters are right."""
 
 import json
 import re
@@ -18,7 +18,7 @@ from workbook.exercise.course import course_folder
 from workbook.lesson.sealed_predictions import unseal
 
 UNCONVERTED: tuple[str, ...] = ()
-"""Lessons whose predictions are still typed words, with the key in a cell. It shrinks; new lessons are not added."""
+"""Lessons whose predictions are still typed words, with the key in a cell. This list may only shrink."""
 OWN = Tree(course_folder())
 OLD_FORM = re.compile(r"^\s*(?:predict\(.*about=|recall\(|predicted\()", re.MULTILINE)
 LESSON = Path(__file__).with_name("lesson_text.txt").read_text(encoding="utf-8")
@@ -165,7 +165,7 @@ def test_names_are_used_once_in_the_course(course: Tree) -> None:
 
 
 def questions(letters: Sequence[str]) -> str:
-    """Questions whose right options have these letters."""
+    """Make questions whose right options have these letters."""
     lines = []
     for right in letters:
         for letter in "abc":
@@ -215,7 +215,10 @@ def test_all_lessons_but_the_named_ones_are_converted() -> None:
 
 
 def test_no_notebook_tells_before_the_run_what_a_prediction_reveals() -> None:
-    """Sources and outputs up to the cell that reveals it; and the explanations in no cell's source at all."""
+    """Check sources and outputs up to the cell that reveals the outcome.
+
+    No cell's source may contain the explanations.
+    """
     for stem in OWN.lesson_stems():
         predictions = {one.name: one for one in read_lesson(OWN, stem).predictions}
         cells = json.loads((OWN.notebooks / f"{stem}.ipynb").read_text(encoding="utf-8"))["cells"]
@@ -224,7 +227,8 @@ def test_no_notebook_tells_before_the_run_what_a_prediction_reveals() -> None:
         for one in predictions.values():
             for option in one.options:
                 assert option.why not in " ".join(sources.split()), f"{stem}: {one.name}"
-                # A condition that is a name alone is what the cell measures; a comparison would be in nobody's cell.
+                # A condition that is only a name may occur in a cell, which measures it. A comparison doesn't occur in
+                # any cell.
                 assert not option.when or option.when.isidentifier() or option.when not in sources
         for cell in cells:
             for name in re.findall(r'reveal\(\s*"([a-z0-9-]+)"', "".join(cell["source"])):

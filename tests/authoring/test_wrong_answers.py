@@ -1,4 +1,4 @@
-"""Wrong answers: a change applies exactly once or is refused with file and line, and the header is understood."""
+"""Wrong answers: a change applies exactly once or is refused with file and line, and the header is parsed."""
 
 from pathlib import Path
 
@@ -90,7 +90,7 @@ def program(tree: Tree, text: str, header: str = "# loses: loud\n# says: honk\n"
 
 
 def honk(body: str) -> str:
-    """The solution with other lines in `honk`."""
+    """Return the solution with other lines in `honk`."""
     return (
         f"class Horn:\n    def __init__(self):\n        self.honks = 0\n\n    def honk(self):\n{body}\n\n"
         '    def rest(self):\n        self.honks = 0\n        print("quiet")\n'

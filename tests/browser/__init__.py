@@ -1,1 +1,1 @@
-"""The lessons and the cards in a real browser. A package: JupyterLab, Chromium and Playwright end with it."""
+"""Lessons and cards in a real browser. In this package, tests share a JupyterLab and a Chromium, which end with it."""

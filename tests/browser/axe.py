@@ -1,19 +1,25 @@
-"""What axe finds wrong with a page, for people who cannot see it, or not well: all of its rules, and one exception."""
+"""Check a page with axe, which finds barriers for people with impaired sight.
+
+All its rules apply, with one exception.
+"""
 
 from typing import Any
 
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page
 
-# JupyterLab takes the editors of cells out of the order of the Tab key: Enter goes into the editor of the cell that is
-# active, and there the cursor keys scroll. For axe, an editor with a long line is then out of a keyboard's reach.
+# JupyterLab removes the editors of cells from the Tab order. Enter opens the active cell's editor, where the cursor
+# keys scroll. But axe assumes that a keyboard can't reach a long line in such an editor.
 UPSTREAM = {"scrollable-region-focusable": 'class="cm-scroller'}
-"""Rule, and what must stand in an element for which it does not count."""
+"""Maps a rule to the text in an element for which the rule doesn't count."""
 _axe = Axe()
 
 
 def violations(page: Page, *within: str) -> list[str]:
-    """Each rule that is broken, with the elements that break it. `within`: selectors; without any, the whole page."""
+    """Return each broken rule with the elements that break it.
+
+    `within`: selectors; without any, check the whole page.
+    """
     context: dict[str, Any] | None = {"include": [[selector] for selector in within]} if within else None
     found = _axe.run(page, context, {"resultTypes": ["violations"]}).response["violations"]
     return [

@@ -1,4 +1,4 @@
-"""JupyterLab as a student starts it, and a Chromium to look at it."""
+"""Start JupyterLab as a student does, and a Chromium that displays it."""
 
 import contextlib
 import os
@@ -17,13 +17,13 @@ from .student_lab import ROOT, StudentLab, await_end, descendants
 
 KERNEL_END_S = 60.0
 GIVES_WAY = 5
-"""Nice value of the browser: a picture may come later, what a lesson measures must not."""
+"""Nice value of the browser: an image may come later, but the measurements in a lesson must not be disturbed."""
 _failed = pytest.StashKey[bool]()
 
 
 @pytest.fixture(scope="package")
 def artifacts() -> Path:
-    """Where screenshots and measurements are kept (not in git)."""
+    """Create the folder for screenshots and measurements (not in git)."""
     folder = ROOT / "artifacts" / "browser"
     folder.mkdir(parents=True, exist_ok=True)
     return folder
@@ -35,9 +35,9 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
     if path is None:
         pytest.skip("no Chromium for the tests in a real browser (apt: chromium)")
     others = descendants(os.getpid())
-    # A Playwright that is open keeps an event loop running in this thread: no other test could have one.
+    # While a Playwright is open, an event loop runs in this thread, so no other test could run one.
     with sync_playwright() as playwright:
-        # In a container there may be neither user namespaces nor room in /dev/shm.
+        # A container may have neither user namespaces nor enough room in /dev/shm.
         opened = playwright.chromium.launch(
             executable_path=path,
             args=["--no-sandbox", "--disable-dev-shm-usage"],
@@ -52,7 +52,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
 
 @contextlib.contextmanager
 def running_lab(folder: Path, environ: Mapping[str, str] = MappingProxyType({})) -> Iterator[StudentLab]:
-    """A server with a new student's copy; when it ends, nothing of it may be left."""
+    """Run a server with a new student's copy. After the server ends, nothing may be left of it."""
     started = StudentLab(folder, environ)
     left: dict[int, str] = {}
     try:
@@ -64,7 +64,7 @@ def running_lab(folder: Path, environ: Mapping[str, str] = MappingProxyType({}))
 
 @pytest.fixture(scope="package")
 def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
-    """One server for all tests of a worker that do not ask for a student's copy that nobody has used."""
+    """Run one server per worker, for all tests that don't request an unused student's copy."""
     with running_lab(tmp_path_factory.mktemp("student")) as started:
         yield started
 
@@ -78,9 +78,9 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
 
 
 class OpenPage:
-    """The browser page of a worker: JupyterLab stays open in it from test to test, as in a student's afternoon.
+    """A worker's browser page. JupyterLab stays open in it from test to test, as on a student's afternoon.
 
-    To load JupyterLab costs several seconds of processor time. After a test that failed the page is not used again.
+    Loading JupyterLab costs several seconds of CPU time. After a failed test, the page is not used again.
     """
 
     def __init__(self, browser: Browser, lab: StudentLab) -> None:
@@ -114,7 +114,7 @@ def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
 
 @pytest.fixture
 def page(open_page: OpenPage, lab: StudentLab, request: pytest.FixtureRequest) -> Iterator[LabPage]:
-    """JupyterLab without an open notebook. Afterwards the kernels of the test, and what they started, have ended."""
+    """Provide JupyterLab without an open notebook. At the end, stop the test's kernels and all that they started."""
     one = open_page.take()
     in_order = False
     try:
@@ -135,7 +135,7 @@ def page(open_page: OpenPage, lab: StudentLab, request: pytest.FixtureRequest) -
 
 @pytest.fixture
 def browser_page(browser: Browser) -> Iterator[Page]:
-    """An empty page, without JupyterLab."""
+    """Provide an empty page, without JupyterLab."""
     context = browser.new_context(viewport={"width": 900, "height": 700})
     try:
         yield context.new_page()

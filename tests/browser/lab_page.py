@@ -1,4 +1,4 @@
-"""JupyterLab as a person uses it: menus, cells, the keyboard. Waits for what shows on the page, never for a time."""
+"""Use JupyterLab as a person does: menus, cells, the keyboard. Wait for changes on the page, never for a fixed time."""
 
 import re
 import time
@@ -16,16 +16,16 @@ from .student_lab import ROOT, StudentLab
 QUICK_MS = 120_000
 CELL_MS = 180_000
 LESSON_MS = 600_000
-LOOK_EVERY_MS = 1500  # and not at every frame, which would make the browser draw all the time
+LOOK_EVERY_MS = 1500  # at every frame, polling would keep the browser drawing
 ASK_EVERY_MS = 200
 ROBOT = "a humanoid robot with twelve joints"
 _PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
 NOTEBOOK = f"{_PANEL} .jp-Notebook"
 _TABS = "#jp-main-dock-panel .lm-TabBar-tab"
 
-# Every code cell has its number, or a cell failed that was not meant to. After a cell that was meant to raise,
-# JupyterLab shows the cells still waiting as if they were not: a missing asterisk says nothing. It puts cells on the
-# page when it has time: on a busy machine, the first ones have run before the last ones are there.
+# Either every code cell has its number, or a cell failed that was not meant to. When a cell raises as it is meant to,
+# JupyterLab removes the asterisks from the waiting cells, so a missing asterisk proves nothing. JupyterLab also adds
+# cells to the page gradually: on a busy machine, the first cells have run before the last ones are there.
 _ALL_RAN = """
 ([panel, mayRaise]) => {
     const cells = [...document.querySelectorAll(panel + ' .jp-CodeCell')];
@@ -37,7 +37,8 @@ _ALL_RAN = """
 }
 """
 
-# A number may be the same after the run: a saved notebook has that of a kernel before. In between stands an asterisk.
+# The number alone proves nothing: a saved notebook may show the same number from an earlier kernel. But in between, the
+# prompt changes to an asterisk.
 CHANGED = "data-changed"
 _NOTE_CHANGE = f"""
 (prompt) => {{
@@ -67,7 +68,7 @@ _COUNT_FRAMES = """
 }
 """
 
-# Contrast of every text in an element with what is behind it, as WCAG counts it.
+# Contrast between each text in an element and its background, by WCAG's formula.
 _CONTRASTS = """
 (card) => {
     const parse = (text) => (text.match(/[\\d.]+/g) || []).map(Number);
@@ -104,18 +105,18 @@ _CONTRASTS = """
 
 
 def _kind(path: str) -> str:
-    """What the front end calls a notebook at this path."""
+    """Return the front end's name for this kind of notebook."""
     return "exercise" if path.startswith("exercises/") else "lesson"
 
 
 def _is_idle(session: dict[str, Any], path: str) -> bool:
-    """Whether this is the session of that notebook, whose kernel waits for cells."""
+    """Return whether this is that notebook's session and its kernel is idle."""
     kernel = session["kernel"]
     return session["path"] == path and kernel["connections"] > 0 and kernel["execution_state"] == "idle"
 
 
 class LabPage:
-    """One browser page with JupyterLab in it."""
+    """A browser page that shows JupyterLab."""
 
     def __init__(self, page: Page, lab: StudentLab) -> None:
         self.page = page
@@ -133,7 +134,10 @@ class LabPage:
         self._wait_until_loaded(first_lesson(ROOT) or "")
 
     def open(self, path: str) -> None:
-        """Open a notebook of the student's copy: by File > Open from Path, at first by its address."""
+        """Open a notebook of the student's copy:
+
+        by its address on an empty page, otherwise with File > Open from Path.
+        """
         if self.page.locator("#jp-main-dock-panel").count():
             self.menu("File", re.compile("^Open from Path"))
             dialog = self.page.locator(".jp-Dialog")
@@ -146,7 +150,7 @@ class LabPage:
         self._wait_until_loaded(path)
 
     def _wait_until_loaded(self, path: str) -> None:
-        """Until the notebook `path` is in front and its kernel waits for cells."""
+        """Wait until the notebook `path` is in front and its kernel is idle."""
         is_front = self.page.locator(f"{_TABS}[data-workbook={_kind(path)}].lm-mod-current")
         expect(is_front.filter(has_text=Path(path).name)).to_be_visible()
         expect(self.panel.locator(".jp-Cell").first).to_be_visible()
@@ -155,7 +159,7 @@ class LabPage:
         expect(self.page.locator("#jp-main-statusbar")).to_contain_text("rclpy workbook | Idle")
 
     def await_server(self, path: str, is_so: Callable[[Any], bool]) -> None:
-        """Ask JupyterLab's server for `path` until its answer is as it should be."""
+        """Request `path` from JupyterLab's server until `is_so` accepts the response."""
         deadline = time.monotonic() + QUICK_MS / 1000
         address = f"{self.lab.address}/{path}?token={self.lab.token}"
         while not is_so(answer := self.page.request.get(address).json()):
@@ -167,21 +171,21 @@ class LabPage:
         return self.page.locator(_PANEL)
 
     def pop_ups(self) -> Locator:
-        """Dialogs and notifications."""
+        """Return dialogs and notifications."""
         return self.page.locator(".jp-Dialog, .Toastify__toast")
 
     def notebook_tabs(self) -> Locator:
-        """The tabs of the open notebooks, whatever is in front."""
+        """Return the tabs of the open notebooks, no matter which one is in front."""
         return self.page.locator(f"{_TABS}[data-workbook]")
 
     def close_notebook(self) -> None:
-        """File > Close and Shut Down Notebook, without saving: of the one in front, or else the first."""
+        """File > Close and Shut Down Notebook, without saving: the notebook in front, or else the first one."""
         tabs = self.notebook_tabs()
         before = tabs.count()
         front = self.page.locator(f"{_TABS}[data-workbook].lm-mod-current")
         (
             front if front.count() else tabs
-        ).first.click()  # what is in front after another was closed has no focus
+        ).first.click()  # after another notebook was closed, the one in front has no focus
         self.menu("File", re.compile("Close and Shut Down"))
         self.page.locator(".jp-Dialog button.jp-mod-warn").click()
         expect(tabs).to_have_count(before - 1)
@@ -200,7 +204,7 @@ class LabPage:
             entry.hover() if depth < len(rest) - 1 else entry.click()
 
     def choose_theme(self, theme: str) -> None:
-        """`theme`: light or dark, by the Settings menu."""
+        """Choose the theme in the Settings menu. `theme`: light or dark."""
         is_light = "true" if theme == "light" else "false"
         if self.page.locator("body").get_attribute("data-jp-theme-light") != is_light:
             self.menu("Settings", "Theme", f"JupyterLab {theme.title()}")
@@ -208,12 +212,12 @@ class LabPage:
         expect(self.page.locator("#jupyterlab-splash")).to_have_count(0)
 
     def themes(self) -> tuple[str, str]:
-        """Both themes, the present one first."""
+        """Return both themes, the current one first."""
         is_light = self.page.locator("body").get_attribute("data-jp-theme-light") == "true"
         return ("light", "dark") if is_light else ("dark", "light")
 
     def save(self, path: str) -> dict[str, Any]:
-        """Ctrl+S; returns the notebook as it is on disk when what is sent from now on has been saved."""
+        """Press Ctrl+S. Wait until the notebook has been saved, and return it as it is on disk."""
 
         def is_save(request: Any) -> bool:
             return request.method == "PUT" and f"/api/contents/{path}" in request.url
@@ -236,12 +240,12 @@ class LabPage:
         )
 
     def _may_raise(self, path: str) -> list[bool]:
-        """For each code cell, whether it is marked as raising an error."""
+        """Return for each code cell whether it is marked as raising an error."""
         code = [cell for cell in self.lab.notebook(path)["cells"] if cell["cell_type"] == "code"]
         return ["raises-exception" in cell["metadata"].get("tags", []) for cell in code]
 
     def cell(self, text: str) -> Locator:
-        """The first code cell that holds this text."""
+        """Return the first code cell that contains this text."""
         return (
             self.panel.locator(".jp-CodeCell")
             .filter(has=self.page.locator(".cm-content", has_text=text))
@@ -249,13 +253,13 @@ class LabPage:
         )
 
     def write(self, cell: Locator, text: str) -> None:
-        """Replace what a cell holds, as a person who selects all and pastes."""
+        """Replace a cell's content, as a person does by selecting all and pasting."""
         cell.locator(".cm-content").click()
         self.page.keyboard.press("Control+a")
         self.page.keyboard.insert_text(text)
 
     def run(self, cell: Locator) -> None:
-        """Ctrl+Enter in a cell; waits until it has ended."""
+        """Press Ctrl+Enter in a cell, and wait until it has ended."""
         prompt = cell.locator(".jp-InputPrompt")
         prompt.evaluate(_NOTE_CHANGE)
         cell.locator(".cm-content").click()
@@ -263,17 +267,17 @@ class LabPage:
         expect(prompt).to_have_attribute(CHANGED, "yes")
         expect(prompt).to_have_text(re.compile(r"\[\d+\]"), timeout=CELL_MS)
 
-    # --- what shows ------------------------------------------------------------------------------------------
+    # --- visible results -------------------------------------------------------------------------------------
 
     def count_frames(self) -> None:
-        """From now on, keep the moment of each move of the robot in a cell."""
+        """From now on, record the moment of each move of the robot in a cell."""
         self.page.evaluate(_COUNT_FRAMES, ROBOT)
 
     def frames(self) -> list[float]:
-        """Seconds on the page's clock at which the robot in a cell moved."""
+        """Return the times (s, page clock) at which the robot in a cell moved."""
         return [moment / 1000 for moment in self.page.evaluate("() => window.robotMoments")]
 
     @staticmethod
     def contrasts(element: Locator) -> dict[str, float]:
-        """Each text in an element with its contrast to what is behind it (1 to 21)."""
+        """Return each text in an element with its contrast to its background (1 to 21)."""
         return {one["text"]: one["ratio"] for one in element.evaluate(_CONTRASTS)}

@@ -1,4 +1,4 @@
-"""Small notebooks for the tests of the panel beside the notebook."""
+"""Small notebooks for the tests of the panel next to the notebook."""
 
 import json
 from pathlib import Path
@@ -25,7 +25,7 @@ print("subscriptions:", words.get_subscription_count(), "nodes:", *node_list())"
 
 
 def write_notebook(folder: Path, name: str, *cells: str) -> str:
-    """Write a notebook with these code cells; returns its path in the student's copy."""
+    """Write a notebook with these code cells. Return its path in the student's copy."""
     code = [
         {
             "cell_type": "code",

@@ -1,4 +1,4 @@
-"""What a frame costs: the script time of the rig alone, and of a full stage that moves and that rests."""
+"""Measure the cost of a frame: the script time of the rig alone, and of a full stage that moves or rests."""
 
 import json
 
@@ -9,7 +9,7 @@ from .student_lab import ROOT
 FRONT_END = ROOT / "workbook/lab/front_end/panel"
 VIEW = ViewportSize(width=660, height=900)
 MOST_SCRIPT_MS = 4.0
-# A whole stage, with all that may be on it: twelve joints at 50 Hz, a second robot, an image, boxes and sparklines.
+# A stage with all that it may show: twelve joints at 50 Hz, a second robot, an image, boxes, and sparklines.
 _MEASURE = """
 async ([rig, stage, figure]) => {
     const load = code => import(URL.createObjectURL(new Blob([code], {type: 'text/javascript'})));
@@ -78,7 +78,10 @@ async ([rig, stage, figure]) => {
 
 
 def script_ms(page: Page) -> dict[str, list[float]]:
-    """Script time (ms) of each frame in two seconds, by what is on the page. The stage stays, as `window.stage`."""
+    """Return the script time (ms) of each frame within two seconds, by page content.
+
+    The stage remains as `window.stage`.
+    """
     rig, stage, figure = (
         (FRONT_END / name).read_text(encoding="utf-8") for name in ("rig.js", "stage.js", "figure.json")
     )

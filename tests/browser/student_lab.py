@@ -1,4 +1,4 @@
-"""A student's JupyterLab: `workbook lab` in a course folder and a home of its own, and what is left when it ends."""
+"""Run a student's JupyterLab: `workbook lab` with its own course folder and home. Find leftovers when it ends."""
 
 import contextlib
 import json
@@ -23,7 +23,7 @@ STOP_LIMIT_S = 20.0
 COURSE = ("notebooks", "exercises", "solutions", "lesson_nodes")
 _ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/\S*token=\w+")
 _INHERITED = ("PATH", "LANG", "LC_ALL", "TMPDIR")
-# Whoever stops the tests does not let them tidy up: JupyterLab then ends with the process that started it.
+# A killed test run can't clean up, so JupyterLab ends with the process that started it.
 _ENDS_WITH_ITS_PARENT = (
     "import ctypes, os, signal, sys; "
     "PR_SET_PDEATHSIG = 1; "
@@ -33,9 +33,9 @@ _ENDS_WITH_ITS_PARENT = (
 
 
 def descendants(pid: int) -> set[psutil.Process]:
-    """All processes below `pid`, whatever session they moved to.
+    """Return all processes below `pid`, in any session.
 
-    Not their numbers: in the course of all tests each number is given several times.
+    Process objects are returned, because the ids are reused in the course of all tests.
     """
     try:
         return set(psutil.Process(pid).children(recursive=True))
@@ -44,7 +44,7 @@ def descendants(pid: int) -> set[psutil.Process]:
 
 
 def running(processes: Iterable[psutil.Process]) -> dict[int, str]:
-    """Those of `processes` that still run, with their command lines."""
+    """Return the processes that still run, with their command lines."""
     found = {}
     for process in processes:
         with contextlib.suppress(psutil.NoSuchProcess):
@@ -54,16 +54,19 @@ def running(processes: Iterable[psutil.Process]) -> dict[int, str]:
 
 
 def await_end(processes: Iterable[psutil.Process], limit_s: float) -> dict[int, str]:
-    """Wait until all have ended, `limit_s` at most. Returns those that have not, with their command lines."""
+    """Wait until all have ended, for `limit_s` at most. Return those that have not, with their command lines."""
     deadline = time.monotonic() + limit_s
     processes = set(processes)
     for process in processes:
         try:
             handle = os.pidfd_open(process.pid)
-        except (ProcessLookupError, FileNotFoundError):  # gone, or going: the kernel says either
+        except (
+            ProcessLookupError,
+            FileNotFoundError,
+        ):  # gone, or on its way out: the kernel may raise either error
             continue
         try:
-            if process.is_running():  # and its number has not gone to another one
+            if process.is_running():  # and its id has not been reused
                 select.select([handle], [], [], max(0.0, deadline - time.monotonic()))
         finally:
             os.close(handle)
@@ -71,16 +74,16 @@ def await_end(processes: Iterable[psutil.Process], limit_s: float) -> dict[int, 
 
 
 class StudentLab:
-    """A running JupyterLab on a fresh copy of the course. `url` is what it prints, token included.
+    """A running JupyterLab on a fresh copy of the course. `url` is the address it prints, token included.
 
-    `environ`: what is set for it besides, and for its kernels.
+    `environ`: additional variables for it and its kernels.
     """
 
     def __init__(self, folder: Path, environ: Mapping[str, str] = MappingProxyType({})) -> None:
         course, home = folder / "course", folder / "home"
-        course.mkdir(parents=True, exist_ok=True)  # it is there when this is a later start
+        course.mkdir(parents=True, exist_ok=True)  # at a later start, it exists already
         home.mkdir(exist_ok=True)
-        # Saving by hand while JupyterLab saves by itself makes it ask which version to keep.
+        # If a manual save meets an autosave, JupyterLab asks which version to keep.
         settings = home / ".jupyter" / "lab" / "user-settings" / "@jupyterlab" / "docmanager-extension"
         settings.mkdir(parents=True, exist_ok=True)
         (settings / "plugin.jupyterlab-settings").write_text('{"autosave": false}')
@@ -127,7 +130,7 @@ class StudentLab:
 
     @property
     def address(self) -> str:
-        """Where the server listens, such as http://127.0.0.1:40117."""
+        """The server's address, such as http://127.0.0.1:40117."""
         return "/".join(self.url.split("/")[:3])
 
     @property
@@ -135,18 +138,18 @@ class StudentLab:
         return self.url.rpartition("token=")[2]
 
     def notebook(self, path: str) -> dict[str, Any]:
-        """A notebook of the student's copy, as it is on disk."""
+        """Read a notebook of the student's copy from disk."""
         content: dict[str, Any] = json.loads((self.work / path).read_text(encoding="utf-8"))
         return content
 
     def processes(self) -> set[psutil.Process]:
-        """What runs below the server: kernels, slots, nodes."""
+        """Return the processes below the server: kernels, slots, nodes."""
         below = descendants(self._process.pid)
         self._seen |= below
         return below
 
     def close(self) -> dict[int, str]:
-        """Stop JupyterLab. Returns what of it still runs then, with its command lines, and ends that too."""
+        """Stop JupyterLab. End the processes that still run then, and return them with their command lines."""
         self.processes()
         everything = self._seen | {self.itself}
         self._process.send_signal(signal.SIGTERM)

@@ -1,4 +1,4 @@
-"""The robot on the card of a check: it moves while the judge watches, and replays the recording on full marks."""
+"""The robot on a check's card: it moves while the judge watches, and replays the recording after full marks."""
 
 import json
 import re
@@ -25,7 +25,7 @@ NOTEBOOK = "exercises/05_timers.ipynb"
 SLOW = Tree(ROOT).right_answers / "05_timers" / "thread_that_keeps_the_plan.py"
 FULL_MARKS = "Full marks: 10 of 10 points."
 ON_CARD = ".workbook-check .workbook-figure"
-# How high the figure is on the card, and how far down the link is, from the first moment on.
+# Record the height of the figure on the card and the distance from the top to the link, from the first moment on.
 WATCH_ROOM = """
 () => {
     window.rooms = new Set();
@@ -40,7 +40,8 @@ WATCH_ROOM = """
     new MutationObserver(look).observe(document.body, {subtree: true, childList: true, attributes: true});
 }
 """
-# A card on a page without JupyterLab. Its robot can't be had, and `robot` says why; or it's one that keeps its news.
+# A card on a page without JupyterLab. `robot` is either an error that says why there is none, or a robot that stores
+# its updates.
 BARE = """
 async ([code, check, robot, events = []]) => {
     const {defineCheckRobot} = await import(URL.createObjectURL(new Blob([code], {type: 'text/javascript'})));
@@ -69,19 +70,19 @@ async ([code, check, robot, events = []]) => {
 
 
 def begin(page: LabPage, cell: Locator) -> None:
-    """Ctrl+Enter, without waiting for the end."""
+    """Press Ctrl+Enter, without waiting for the end."""
     cell.locator(".cm-content").click()
     page.page.keyboard.press("Control+Enter")
 
 
 def script_ms(page: LabPage) -> dict[str, float]:
     spent: list[float] = page.page.evaluate("() => window.frames_ms.splice(0)")
-    # The median: on a busy machine, a frame lasts as long as another process has the processor.
+    # The median, because on a busy machine a single frame may include the time slice of another process.
     return {"frames": len(spent), "median_ms": median(spent), "longest_ms": max(spent)}
 
 
 def pictures(page: LabPage, output: Locator, path: Path) -> None:
-    """In both themes; axe finds nothing."""
+    """Take screenshots in both themes, and check the card with axe."""
     for theme in page.themes():
         page.choose_theme(theme)
         output.scroll_into_view_if_needed()

@@ -1,4 +1,4 @@
-"""The exercise notebook as a student works in it: a wrong answer, the card, the right answer, the card turned."""
+"""The exercise notebook as a student uses it: a wrong answer, its card, the right answer, and the updated card."""
 
 import json
 import re
@@ -34,8 +34,7 @@ FULL_MARKS = "Full marks: 10 of 10 points."
 LEAST_CONTRAST = 4.5
 NARROW = {"width": 800, "height": 900}
 CARD = ".jp-OutputArea-output:has(div[style*=border-left])"
-# How far something inside stands out of an element, or has to be scrolled to (px).
-# A timeline scrolls in its place.
+# How far content overflows an element (px). A timeline is exempt, because it scrolls inside its own box.
 STANDS_OUT = """
 card => Math.max(...[card, ...card.querySelectorAll(':not([aria-label=Timeline] > img)')].map(one => {
     const right = one.getBoundingClientRect().right - card.getBoundingClientRect().right;
@@ -73,7 +72,8 @@ svg => {
     new MutationObserver(moved).observe(svg.querySelector('g'), {attributes: true, attributeFilter: ['transform']});
 }
 """
-# At once: a card may be replaced at any time, and Playwright's own scrolling first waits until it stands still.
+# Scroll without waiting: Playwright's own scrolling waits until the card stands still, but a card may be replaced at
+# any time.
 SCROLL_TO = "card => card.scrollIntoView({block: 'nearest'})"
 
 
@@ -87,7 +87,7 @@ def headline_of(card: Locator) -> Locator:
 
 
 def check_legibility(page: LabPage, card: Locator) -> None:
-    """Every text of the card stands out from what is behind it, and axe finds nothing."""
+    """Check that every text of the card stands out from its background, and that axe finds nothing."""
     contrasts = page.contrasts(card)
     assert any(text in headline_of(card).inner_text() for text in contrasts)
     assert {text: ratio for text, ratio in contrasts.items() if ratio < LEAST_CONTRAST} == {}
@@ -95,7 +95,7 @@ def check_legibility(page: LabPage, card: Locator) -> None:
 
 
 def check_that_nothing_is_cut(page: LabPage, card: Locator, path: Path) -> None:
-    """In a narrow window, too, all of the card can be seen without scrolling to the side."""
+    """Check that even a narrow window shows the whole card without scrolling sideways."""
     wide = page.page.viewport_size
     assert wide is not None
     page.page.set_viewport_size(NARROW)
@@ -106,7 +106,7 @@ def check_that_nothing_is_cut(page: LabPage, card: Locator, path: Path) -> None:
 
 
 def check_timeline(card: Locator) -> None:
-    """Where there's too little room, its words stay readable, and it scrolls."""
+    """Check that the timeline's words stay readable in a narrow window, and that it scrolls."""
     timeline = card.locator("img")
     assert timeline.evaluate("image => image.clientWidth") == TIMELINE_PX
     assert timeline.evaluate("image => image.parentElement.clientWidth") < TIMELINE_PX
@@ -122,7 +122,7 @@ def check_picture(card: Locator) -> None:
 
 
 def screenshot(outputs: Locator, path: Path) -> None:
-    """Of the outputs of a cell: a card in them may be replaced at any time, and they stay."""
+    """Save a screenshot of a cell's outputs. The card in them may be replaced at any time, but the outputs stay."""
     outputs.scroll_into_view_if_needed()
     outputs.screenshot(path=path)
 
@@ -157,7 +157,7 @@ def test_a_wrong_answer_then_the_right_one(
         check_legibility(page, card)
     check_that_nothing_is_cut(page, card, artifacts / "card_wrong_narrow.png")
 
-    # The answer cell is changed and not run: what is on the screen is judged all the same.
+    # The answer cell was changed but not run. The judge still gets the text on the screen.
     page.write(answer, f"%%answer 09 --check\n{exercise.source.solution_code}")
     page.run(check)
     expect(headline_of(card)).to_contain_text(FULL_MARKS, timeout=CELL_MS)
@@ -179,7 +179,7 @@ def test_a_wrong_answer_then_the_right_one(
         check_legibility(page, card)
         page.page.screenshot(path=artifacts / f"exercise_unfolded_{theme}.png")
 
-    # A later wrong version does not take the best one away, and that comes back into the cell and the file.
+    # A later wrong version doesn't replace the best one. The student restores the best one to the cell and the file.
     page.write(answer, f"%%answer {STEM}\n{wrong}")
     page.write(check, "%restore")
     restore = page.cell("%restore")
@@ -198,7 +198,7 @@ def test_a_wrong_answer_then_the_right_one(
 
 
 def holds(pose: Sequence[float]) -> str:
-    """An answer whose robot holds this pose."""
+    """Return an answer whose robot holds this pose."""
     return f"""\
 import rclpy
 from rclpy.node import Node
@@ -212,10 +212,10 @@ rclpy.spin(node)
 
 
 def drawn_by_the_rig(page: Page, pose: Sequence[float]) -> list[str]:
-    """Where the parts of the figure are in this pose, once it has come to rest."""
+    """Return the positions of the figure's parts in this pose, once it has come to rest."""
     code = (FRONT_END / "rig.js").read_text(encoding="utf-8")
     figure = json.loads((FRONT_END / "figure.json").read_text(encoding="utf-8"))
-    rounded = [float(np.float32(angle)) for angle in pose]  # as a message holds them
+    rounded = [float(np.float32(angle)) for angle in pose]  # rounded to float32, as in the message
     return list(page.evaluate(DRAWN, [code, figure, rounded]))
 
 
@@ -235,7 +235,9 @@ def test_start_shows_the_robot_in_the_cell_and_stop_lets_it_rest(
         expect(cell).to_have_count(1)
         expect(start.locator("img")).to_have_count(0)
         page.page.wait_for_function(HELD, arg=[cell.element_handle(), drawn_by_the_rig(page.page, pose)])
-        if pose == CHEER:  # the first start opens the panel, which is then closed for good
+        if (
+            pose == CHEER
+        ):  # the first start opens the panel; the student closes it, and later starts leave it closed
             expect(panel.get_by_role("img", name=POSED)).to_be_visible()
             page.panel.get_by_role("button", name="Robot", exact=True).click()
         expect(panel).to_have_count(0)
@@ -255,7 +257,7 @@ def test_start_shows_the_robot_in_the_cell_and_stop_lets_it_rest(
     page.page.emulate_media(reduced_motion="no-preference")
     page.page.wait_for_function(
         "() => window.robotMoves > 40"
-    )  # at the screen's rate: messages come every 2 s
+    )  # at the screen's rate, although messages arrive only every 2 s
     page.page.emulate_media(reduced_motion="reduce")
     for theme in in_both_themes(page):
         cell.scroll_into_view_if_needed()
@@ -293,7 +295,7 @@ def test_start_shows_the_robot_in_the_cell_and_stop_lets_it_rest(
 
 @pytest.fixture
 def card_html(exercise: Exercise) -> str:
-    """The card of a stored recording: too fast, with the timeline picture."""
+    """Return the card of a stored recording: too fast, with the timeline."""
     recording = Recording.from_json(json.loads(RECORDED.read_text(encoding="utf-8")))
     judgement = judge_recording(exercise, "0" * 64, recording)
     timeline, text = judged_timeline(exercise, recording)
@@ -308,7 +310,7 @@ def stored_judgement(exercise: Exercise) -> Judgement:
 
 
 def says_everything(card: Locator, exercise: Exercise) -> None:
-    """Headline, advice, and sign, word, points and title of each criterion can be read."""
+    """Check that the headline, the advice, and each criterion's sign, word, points, and title can be read."""
     expect(card).to_contain_text("8 of 10 points.")
     expect(card).to_contain_text("Fix first: The joint positions are published at 0.5 Hz")
     expect(card).to_contain_text("Likely cause")
@@ -324,7 +326,10 @@ def says_everything(card: Locator, exercise: Exercise) -> None:
 
 
 def untrusted_notebook(html: str) -> str:
-    """A notebook as it comes by mail: nobody has run it here, so JupyterLab does not trust its outputs."""
+    """Write a notebook as if it came by mail:
+
+    JupyterLab doesn't trust its outputs, because they weren't produced here.
+    """
     output = {
         "output_type": "display_data",
         "metadata": {},

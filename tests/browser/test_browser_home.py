@@ -1,4 +1,4 @@
-"""The first screen, the tour, the home page and the tabs: JupyterLab before and between the lessons."""
+"""The first screen, the tour, the home page, and the tabs: JupyterLab before and between the lessons."""
 
 import json
 import re
@@ -22,14 +22,14 @@ EXERCISE = "exercises/05_timers.ipynb"
 USUAL, TALL = ViewportSize(width=1280, height=800), ViewportSize(width=1280, height=1000)
 WIDTHS = (800, 1280, 1600)
 SCREENS = 2.0
-"""How tall the home page may be, in screens of the usual size."""
+"""The largest height of the home page, in screens of the usual size."""
 NARROW = (1000, 800)
 LEAST_CONTRAST = 4.5
 WIDEST_PROSE = 95
-"""Characters: about ninety, and a line with many narrow ones holds some more."""
+"""Characters per line: about ninety on average, but a line of many narrow characters holds a few more."""
 TABS = "#jp-main-dock-panel .lm-TabBar-tab"
 
-# Names in the column of files that end in dots.
+# Names in the file browser that don't fit and so end in an ellipsis.
 _CUT_NAMES = """
 () => [...document.querySelectorAll('.jp-DirListing-itemName')]
     .filter(one => [one, ...one.querySelectorAll('*')].some(part => part.scrollWidth > part.clientWidth + 1
@@ -37,7 +37,7 @@ _CUT_NAMES = """
     .map(one => one.innerText)
 """
 _LEFT_IS_AT_MOST = "width => document.querySelector('#jp-left-stack').clientWidth <= width"
-# The most characters that stand in one line of a lesson's paragraphs.
+# The largest number of characters in a line of a lesson's paragraphs.
 _WIDEST_LINE = """
 panel => {
     let most = 0;
@@ -59,13 +59,13 @@ panel => {
     return most;
 }
 """
-# Parts of the home page that are wider than their place: they would cover what stands beside them.
+# Parts of the home page that are wider than their box, so they would cover their neighbors.
 _STANDS_OUT = """
 home => [...home.querySelectorAll('.wb-lessons > li > *, .wb-sums > *')]
     .filter(one => one.scrollWidth > one.clientWidth + 1)
     .map(one => one.innerText)
 """
-# For each question of a quiz: how far its first option is below it, and how far it is below the options before (px).
+# For each quiz question (px): the gap between it and its first option, and the gap between the previous options and it.
 _GAPS = """
 panel => [...panel.querySelectorAll('details + p:has(+ details)')].map(one => [
     one.nextElementSibling.getBoundingClientRect().top - one.getBoundingClientRect().bottom,
@@ -76,7 +76,7 @@ panel => [...panel.querySelectorAll('details + p:has(+ details)')].map(one => [
 
 @pytest.fixture(scope="module")
 def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
-    """A server of its own: what is seen here is a first start, with no lesson run before."""
+    """Run a separate server, because these tests need a first start, before any lesson has run."""
     with running_lab(tmp_path_factory.mktemp("student")) as started:
         yield started
 
@@ -88,7 +88,7 @@ def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
     one.close()
 
 
-# From now on, at each frame: how far the list of lesson 05 is below its title (px), and how its robot looks.
+# From now on, record at each frame how far the list of lesson 05 is below its title (px), and the robot's appearance.
 _WATCH_GREETING = """
 () => {
     [window.rooms, window.looks] = [new Set(), new Set()];
@@ -107,7 +107,7 @@ _WATCH_GREETING = """
 
 
 def is_empty(workspace: dict[str, Any]) -> bool:
-    """Whether a later start brings no notebook back: JupyterLab saves that some time after a tab was closed."""
+    """Return whether a later start will restore no notebook. JupyterLab saves that some time after a tab is closed."""
     return not any(key.startswith("notebook:") for key in workspace["data"])
 
 
@@ -116,12 +116,15 @@ def tab(page: LabPage, name: str) -> Locator:
 
 
 def close_tab(page: LabPage, name: str) -> None:
-    """With the cross on it, as a hand does."""
+    """Close a tab by clicking its cross."""
     tab(page, name).locator(".lm-TabBar-tabCloseIcon").click()
 
 
 def check_tour(page: LabPage, artifacts: Path) -> None:
-    """From step to step with the keyboard; each frames what it explains, and Escape ends it."""
+    """Go from step to step with the keyboard.
+
+    Check that each step frames its subject, and that Escape ends the tour.
+    """
     tour, frame = page.page.locator(".wb-tour"), page.page.locator(".wb-tour-frame")
     expect(tour).to_contain_text("Run a cell")
     titles = []
@@ -146,9 +149,9 @@ def check_tour(page: LabPage, artifacts: Path) -> None:
 
 
 def check_names_of_files(page: LabPage, artifacts: Path) -> None:
-    """Each is shown whole, also in a narrow window, in which its column is as narrow as it can be."""
+    """Check that each name is shown completely, even in a narrow window, where the column is as narrow as possible."""
     column = page.page.locator("#jp-left-stack")
-    expect(column).to_be_hidden()  # it has given its room to the lesson
+    expect(column).to_be_hidden()  # the column is hidden to make room for the lesson
     page.page.keyboard.press("Control+b")
     expect(column).to_be_visible()
     names = page.page.locator(".jp-DirListing-itemName")
@@ -172,7 +175,10 @@ def check_names_of_files(page: LabPage, artifacts: Path) -> None:
 
 
 def check_a_row_with_another_name(page: LabPage) -> None:
-    """The last file gets a name that comes first: all names move one row down, into elements that had others before."""
+    """Rename the last file so that it comes first.
+
+    All names then move one row down, into elements with another name.
+    """
     names = page.page.locator(".jp-DirListing-itemName")
     refresh = page.page.locator('[data-command="filebrowser:refresh"]').first
     file = page.lab.work / "notebooks" / "zz_last.txt"
@@ -187,7 +193,7 @@ def check_a_row_with_another_name(page: LabPage) -> None:
 
 
 def check_layout(page: LabPage, artifacts: Path) -> None:
-    """Names of files, width of prose, distance of questions, headings, and the theme that the browser knows."""
+    """Check the file names, the width of prose, the spacing of questions, the headings, and the browser's theme."""
     check_names_of_files(page, artifacts)
     root = page.page.locator(":root")
     for width in WIDTHS:
@@ -203,7 +209,7 @@ def check_layout(page: LabPage, artifacts: Path) -> None:
 
 
 def check_traceback(page: LabPage, cell: Locator, artifacts: Path) -> None:
-    """An error inside of rclpy: the own lines are shown, those of rclpy are one click away."""
+    """Check an error inside rclpy: the student's own lines are visible, and one click unfolds rclpy's lines."""
     page.write(cell, "import json\n\n\ndef read(text):\n    return json.loads(text)\n\n\nread('{')")
     page.run(cell)
     outputs = cell.locator(".jp-OutputArea")
@@ -218,7 +224,7 @@ def check_traceback(page: LabPage, cell: Locator, artifacts: Path) -> None:
 
 
 def check_prompt(page: LabPage, artifacts: Path) -> None:
-    """*Talk it through*: one click, or one key, copies the prompt."""
+    """Check *Talk it through*: one click, or one key, copies the prompt."""
     page.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     prompt = page.panel.locator(".wb-prompt")
     button = prompt.get_by_role("button", name="Copy the prompt")
@@ -246,7 +252,9 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     assert lab.work.is_dir()
     check_tour(page, artifacts)
     assert (lab.work / ".state" / "tour_seen").is_file(), "it comes by itself once only"
-    expect(page.page.locator(f"{TABS}.jp-mod-dirty")).to_have_count(0)  # a lesson that was only opened
+    expect(page.page.locator(f"{TABS}.jp-mod-dirty")).to_have_count(
+        0
+    )  # merely opening a lesson doesn't modify it
     page.page.screenshot(path=artifacts / "first_start.png")
 
     cell = page.cell("await watch_robot")
@@ -259,7 +267,7 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     check_prompt(page, artifacts)
     check_traceback(page, page.panel.locator(".jp-CodeCell").nth(1), artifacts)
 
-    close_tab(page, Path(FIRST).name)  # by mistake: it asks, and what was written is kept
+    close_tab(page, Path(FIRST).name)  # closed by mistake: JupyterLab asks, and the student's text is saved
     dialog = page.page.locator(".jp-Dialog")
     expect(dialog).to_contain_text("Save changes")
     dialog.locator("button", has_text="Save").click()
@@ -271,12 +279,12 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
 
 
 def expect_no_kernels(page: LabPage) -> None:
-    """A kernel takes a moment to end; the server then no longer lists it."""
+    """Wait until the server lists no kernels, because ending takes a kernel a moment."""
     page.await_server("api/kernels", lambda kernels: kernels == [])
 
 
 def work_done(lab: StudentLab) -> str:
-    """Have lesson 05 read in part, and another version than the best to be handed in. Returns the next cell."""
+    """Mark lesson 05 as partly read, and store an answer that differs from the best one. Return the next cell."""
     cells = [one for one in lab.notebook("notebooks/05_timers.ipynb")["cells"] if one["cell_type"] == "code"]
     answers = lab.work / "answers"
     (answers / ".best").mkdir(parents=True, exist_ok=True)
@@ -292,13 +300,15 @@ def work_done(lab: StudentLab) -> str:
 
 
 def test_home_shows_the_way_and_goes_on(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
-    page.page.goto(f"{lab.address}/lab?token={lab.token}")  # what a later start opens
+    page.page.goto(f"{lab.address}/lab?token={lab.token}")  # later starts open this page
     home = page.page.locator(".wb-home")
     expect(home.locator("h1")).to_be_visible()
     expect(page.page.locator("#jupyterlab-splash")).to_have_count(0)
     expect(home.locator("[data-restore]")).to_have_count(0)
     next_cell = work_done(lab)
-    expect(home.locator("[data-key=next]")).to_contain_text("Go on at")  # it follows the progress by itself
+    expect(home.locator("[data-key=next]")).to_contain_text(
+        "Go on at"
+    )  # the page follows the progress by itself
     expect(home.locator("#wb-05_timers")).to_contain_text("8 of 10 points")
     check_home(page, home, artifacts)
 
@@ -338,7 +348,7 @@ def test_a_robot_waves_where_a_lesson_opens(page: LabPage, artifacts: Path) -> N
 
 
 def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
-    """It is for everybody: in both themes, narrow and wide."""
+    """Check that everyone can use the home page: in both themes, in narrow and wide windows."""
     assert home.evaluate("one => Boolean(one.closest('main, [role=main]'))")
     robot = home.get_by_role("img", name=ROBOT)
     expect(robot).to_have_attribute("aria-label", re.compile("you have done 0 % of the course"))
@@ -359,7 +369,10 @@ def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
 
 
 def check_tabs(page: LabPage, artifacts: Path) -> None:
-    """A lesson and its exercise side by side: told apart by their tabs, unchanged, and closed without a trace."""
+    """Check a lesson and its exercise side by side.
+
+    Their tabs can be told apart, opening them modifies nothing, and closing them leaves nothing behind.
+    """
     page.open(EXERCISE)
     exercise = page.page.locator(f"{TABS}[data-workbook=exercise]")
     expect(exercise).to_have_class(re.compile("lm-mod-current"))

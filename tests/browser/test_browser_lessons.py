@@ -1,7 +1,7 @@
-"""Every lesson, opened in JupyterLab and run from top to bottom: it shows what is committed, and shows it well.
+"""Open every lesson in JupyterLab and run it from top to bottom: it shows the committed outputs and looks right.
 
-What the run showed is compared by nbval, as strictly as the exercises and the deeper pages are compared in
-`tests/notebooks`. Nobody is there to predict: how a prediction is chosen, `test_browser_predictions` proves.
+nbval compares the outputs of the run, as strictly as `tests/notebooks` does for the exercises and the deeper pages.
+Predictions are skipped here; `test_browser_predictions` tests them.
 """
 
 import json
@@ -30,18 +30,21 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 ROBOT_LESSON = "09_joint_positions"
 SEVERAL_FRAMES = 4
-"""A robot that jumps to its last pose has one. How many more there are is for `frames.json`: few on a busy machine."""
+"""A robot that jumps to its last pose draws one frame.
+
+`frames.json` records the number, which is small on a busy machine.
+"""
 IS_WHOLE = "async image => { await image.decode().catch(() => {}); return image.complete && image.naturalWidth > 0; }"
-# To change the theme under a long notebook costs seconds of processor time: lessons are shown in turn in one and the
-# other. WORKBOOK_THEMES=both shows each in both.
+# Changing the theme of a long notebook costs seconds of CPU time, so the lessons alternate between the two themes.
+# WORKBOOK_THEMES=both shows each in both.
 BOTH_THEMES = os.environ.get("WORKBOOK_THEMES") == "both"
 PICTURES_PER_SECOND = "4"
-"""Enough to see that something moves; to draw more would keep the processors from the other tests."""
+"""Enough to show that something moves. Drawing more would take CPU time from the other tests."""
 
 
 @pytest.fixture(scope="module")
 def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
-    """A server in whose lessons nobody predicts, as in those that were built."""
+    """Run a server whose lessons skip the predictions, as the builder does."""
     environ = {UNATTENDED: "1", MOST_PICTURES: PICTURES_PER_SECOND}
     with running_lab(tmp_path_factory.mktemp("lessons"), environ) as started:
         yield started
@@ -55,12 +58,12 @@ def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
 
 
 def themes_of(stem: str, page: LabPage) -> tuple[str, ...]:
-    """The themes in which a lesson is looked at. (Those of one theme share a browser.)"""
+    """Return the themes in which a lesson is shown. (The lessons of one theme share a browser.)"""
     return page.themes() if BOTH_THEMES else (("light", "dark")[int(stem[:2]) % 2],)
 
 
 def unexpected_errors(notebook: dict[str, list[dict[str, object]]]) -> list[str]:
-    """Errors in cells that are not marked as raising one, and marked cells without one."""
+    """Return the errors in cells that aren't marked as raising one, and the marked cells without one."""
     found = []
     for cell in notebook["cells"]:
         outputs = cell.get("outputs", [])
@@ -83,7 +86,7 @@ def load_cells(lab: StudentLab, stem: str) -> list[str]:
 
 
 def check_robot(page: LabPage, moments: list[float], artifacts: Path) -> None:
-    """That it moved while the cell ran, is beside the cell, and looks well in both themes."""
+    """Check that the robot moved while the cell ran, is next to the cell, and looks right in both themes."""
     assert len(moments) >= SEVERAL_FRAMES, "the robot hardly moved"
     page.cell("from lesson_nodes import joint_position_publisher").locator(".cm-content").click()
     robot = page.panel.locator(".workbook-cell-robot").get_by_role("img", name=ROBOT).first
@@ -108,7 +111,7 @@ def check_robot(page: LabPage, moments: list[float], artifacts: Path) -> None:
 def test_a_lesson_runs_from_top_to_bottom(
     stem: str, page: LabPage, lab: StudentLab, artifacts: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """What came out otherwise while the host gave the processors to others has shown nothing, and is run again."""
+    """Differences prove nothing while the host gives the CPUs to others, so such a lesson runs again."""
     path = f"notebooks/{stem}.ipynb"
     for _ in range(TRIES):
         began, before = time.monotonic(), taken_s()

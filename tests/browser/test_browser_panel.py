@@ -1,4 +1,4 @@
-"""The panel beside the notebook: what it shows, what it costs, and that the ROS graph does not know of it."""
+"""The panel next to the notebook: what it shows, what it costs, and that it is invisible in the ROS graph."""
 
 import contextlib
 import json
@@ -35,7 +35,7 @@ CUT = "panel => panel.scrollWidth - panel.clientWidth"
 
 def observers(lab: StudentLab) -> set[psutil.Process]:
     processes = lab.processes()
-    alive = running(processes)  # others may be ending just now
+    alive = running(processes)  # other processes may be about to end
     return {one for one in processes if OBSERVER in alive.get(one.pid, "")}
 
 
@@ -55,7 +55,7 @@ def rate(panel: Locator, topic: str) -> Locator:
 
 
 def processor_seconds(lab: StudentLab, seconds: float) -> dict[str, float]:
-    """What server, kernels, observer and browser take in so many seconds, by process."""
+    """Return the CPU seconds of the server, kernels, observer, and browser during this time, by process."""
 
     def taken() -> dict[psutil.Process, float]:
         found = {}
@@ -66,7 +66,7 @@ def processor_seconds(lab: StudentLab, seconds: float) -> dict[str, float]:
         return found
 
     before = taken()
-    time.sleep(seconds)  # what is measured is this time
+    time.sleep(seconds)  # the interval that is measured
     return {f"{one.pid} {one.name()}": spent - before[one] for one, spent in taken().items() if one in before}
 
 
@@ -86,14 +86,17 @@ def check_every_width(page: LabPage, panel: Locator, look: Callable[[str], None]
 
 
 def reload(page: LabPage) -> None:
-    """Load the page again once JupyterLab has kept its layout, which it does some time after a change."""
+    """Reload the page.
+
+    Before that, wait until JupyterLab has saved its layout, which it does some time after a change.
+    """
     page.page.reload()
     expect(page.page.locator("#jupyterlab-splash")).to_have_count(0)
     expect(page.panel.locator(".jp-Cell").first).to_be_visible()
 
 
 def is_kept(is_open: bool) -> Callable[[dict[str, Any]], bool]:
-    """Whether a workspace on the server knows that the right column, with the panel in it, is open."""
+    """Return whether the workspace on the server contains the open right column with the panel in it."""
 
     def kept(workspace: dict[str, Any]) -> bool:
         right = workspace["data"].get("layout-restorer:data", {}).get("right", {})
@@ -103,7 +106,10 @@ def is_kept(is_open: bool) -> Callable[[dict[str, Any]], bool]:
 
 
 def check_reload(page: LabPage, panel: Locator) -> None:
-    """The page is loaded again: the panel is as it was, open beside its notebook with the same topic, or closed."""
+    """Reload the page, and check the panel:
+
+    open next to its notebook with the same topic as before, or still closed.
+    """
     workspace = f"lab/api/workspaces/{Path(urlsplit(page.page.url).path).parts[3]}"
     page.run(page.cell("Knob"))
     page.save("quiet.ipynb")
@@ -114,7 +120,7 @@ def check_reload(page: LabPage, panel: Locator) -> None:
     expect(panel.locator("pre")).to_have_text("waiting for the next one …")
     page.run(page.cell("subscriptions"))
     expect(panel.locator("pre")).to_contain_text("data: two\n---\ndata: three")
-    expect(page.panel.get_by_role("slider", name="loudness")).to_be_visible()  # its kernel lives, so it works
+    expect(page.panel.get_by_role("slider", name="loudness")).to_be_visible()  # it works: its kernel lives
 
     toggle(page)
     page.await_server(workspace, is_kept(False))

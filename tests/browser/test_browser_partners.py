@@ -1,4 +1,4 @@
-"""What a student sees in exercises whose node works with others: the gauge and the alarm of 04, the camera of 15."""
+"""Exercises whose node works with other nodes, as a student sees them: 04's gauge and alarm, and 15's camera."""
 
 import json
 import re
@@ -21,7 +21,7 @@ from .test_browser_exercise import COUNT_MOVES
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 PANEL = ".workbook-panel:not(.lm-mod-hidden)"
 REST_MS = 3000
-# Frames that are asked for in some time, by whatever is in the page.
+# Count the animation frames that scripts in the page request.
 FRAMES = """
 ms => new Promise(done => {
     const asked = window.requestAnimationFrame;
@@ -47,7 +47,7 @@ STANDS_STILL = "() => Object.values(window.stage._robots).every(robot => robot._
 
 
 def start(page: LabPage, stem: str) -> tuple[Locator, Locator]:
-    """Run the solution of an exercise. Returns the cell and the panel, which the first start opens."""
+    """Run the solution of an exercise. Return the cell and the panel, which the first start opens."""
     source = load(ROOT / "solutions" / f"{stem}.py")
     page.open(f"exercises/{stem}.ipynb")
     page.page.evaluate("() => sessionStorage.removeItem('rclpy-workbook:offer-robot-panel')")
@@ -62,7 +62,7 @@ def start(page: LabPage, stem: str) -> tuple[Locator, Locator]:
 
 
 def look(page: LabPage, cell: Locator, name: str, artifacts: Path) -> None:
-    """Keep a picture of either theme, and check both stages."""
+    """Take a screenshot in each theme, and check both stages."""
     for theme in page.themes():
         page.choose_theme(theme)
         cell.scroll_into_view_if_needed()
@@ -72,7 +72,7 @@ def look(page: LabPage, cell: Locator, name: str, artifacts: Path) -> None:
 
 
 def stop(page: LabPage, stem: str, cell: Locator, panel: Locator) -> None:
-    """End the program. The robots sleep, and then nothing is drawn and nothing is sent."""
+    """Stop the program. When the robots sleep, nothing is drawn or sent."""
     page.run(page.cell("%stop"))
     assert not [line for line in running(page.lab.processes()).values() if f"{stem}.py" in line]
     expect(panel.get_by_role("img", name=f"{ROBOT}, asleep")).to_be_visible()
@@ -94,7 +94,7 @@ def test_the_gauge_and_the_alarm_of_04(page: LabPage, artifacts: Path) -> None:
     cell, panel = start(page, stem)
     robots = (cell.locator(".workbook-robot svg"), panel.locator(".workbook-robot svg"))
     for robot in robots:
-        expect(robot).to_have_attribute("data-face", "error")  # while an alarm is new
+        expect(robot).to_have_attribute("data-face", "error")  # for a short time after each alarm
     expect(cell.locator(".workbook-words")).to_contain_text("alarm: bad reading: ")
     expect(cell.locator(".workbook-words")).to_contain_text(re.compile(r"battery: \d\d %"))
     for robot in robots:
@@ -108,7 +108,7 @@ def test_the_gauge_and_the_alarm_of_04(page: LabPage, artifacts: Path) -> None:
     stop(page, stem, cell, panel)
     before = len(heard)
     assert before, "the panel has heard something before"
-    page.page.wait_for_timeout(REST_MS)  # what is measured is this time
+    page.page.wait_for_timeout(REST_MS)  # the interval that is measured
     assert len(heard) == before
 
 
@@ -124,7 +124,7 @@ def test_the_camera_and_the_head_of_15(page: LabPage, artifacts: Path) -> None:
     cell.locator(".workbook-robot svg").evaluate(COUNT_MOVES)
     page.page.wait_for_function(
         "() => window.robotMoves > 40"
-    )  # the head follows the ball, and the rest rests
+    )  # the head follows the ball, and the other joints rest
     page.page.emulate_media(reduced_motion="reduce")
     expect(panel.locator("tbody", has_text="/camera/image").first).to_contain_text("160 × 120 pixels, rgb8")
     look(page, cell, "15", artifacts)

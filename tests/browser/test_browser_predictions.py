@@ -1,4 +1,4 @@
-"""A prediction in JupyterLab: buttons in the place of the options, one key to choose, revealed after the run."""
+"""A prediction in JupyterLab: buttons instead of the options, one key to choose, and the outcome after the run."""
 
 from pathlib import Path
 
@@ -20,7 +20,10 @@ def widths_of(buttons: Locator) -> set[int]:
 
 
 def check_looks(page: LabPage, ask: Locator, outcome: Locator, artifacts: Path) -> None:
-    """Readable in both themes; in each window, the buttons are of one width, and no text is cut off."""
+    """Check that the prediction is readable in both themes.
+
+    In each window, the buttons have one width, and no text is cut.
+    """
     buttons = ask.locator(".wb-option")
     for theme in page.themes():
         page.choose_theme(theme)
@@ -40,7 +43,7 @@ def check_looks(page: LabPage, ask: Locator, outcome: Locator, artifacts: Path) 
 
 
 def walk_to(page: LabPage, ask: Locator) -> Page:
-    """Select the question's text, and go down one cell, as the keyboard does."""
+    """Select the question's text, and go down one cell with the keyboard."""
     ask.locator("xpath=preceding-sibling::div[1]").locator("p").last.click()
     page.page.keyboard.press("ArrowDown")
     return page.page
@@ -48,13 +51,13 @@ def walk_to(page: LabPage, ask: Locator) -> Page:
 
 def test_a_prediction_is_chosen_by_one_key_and_revealed_after_the_run(page: LabPage, artifacts: Path) -> None:
     page.open(LESSON)
-    expect(page.panel.locator(".jp-OutputArea-output")).to_have_count(0)  # the copy arrives unsolved
+    expect(page.panel.locator(".jp-OutputArea-output")).to_have_count(0)  # a new copy has no outputs
     first = page.cell('predict("loop-and-timer")')
     ask, reveals = page.cell('predict("half-a-hertz")'), page.cell('reveal("half-a-hertz"')
     question = ask.locator("xpath=preceding-sibling::div[1]")
     buttons = ask.locator(".wb-option")
     expect(buttons).to_have_count(3)
-    expect(question.locator("li").first).to_be_hidden()  # the buttons stand in their place
+    expect(question.locator("li").first).to_be_hidden()  # the buttons replace the list
     expect(ask.locator(".cm-content")).to_be_hidden()
     expect(ask.locator("[role=status]")).to_have_text("Choose a, b or c: click, or press the key.")
 
@@ -76,7 +79,7 @@ def test_a_prediction_is_chosen_by_one_key_and_revealed_after_the_run(page: LabP
     outcome = reveals.locator(".jp-RenderedHTMLCommon").last
     expect(outcome).to_contain_text("You predicted b. The outcome is c.")
     expect(outcome.locator("tbody")).to_have_count(3)
-    expect(outcome.locator("details:not([open])")).to_have_count(1)  # neither chosen nor true
+    expect(outcome.locator("details:not([open])")).to_have_count(1)  # neither predicted nor true
     expect(buttons.nth(2)).to_contain_text("✓ outcome")
     expect(buttons.nth(1)).to_contain_text("your prediction")
     keyboard.press("c")
@@ -91,7 +94,7 @@ def test_a_prediction_is_chosen_by_one_key_and_revealed_after_the_run(page: LabP
 
 
 def check_fold(page: LabPage, ask: Locator, artifacts: Path) -> None:
-    """*Look inside* unfolds when the outcome of the question before it is known."""
+    """Check that *Look inside* unfolds once the preceding question's outcome is known."""
     heading = page.panel.locator(".jp-MarkdownCell", has=page.page.locator("h2", has_text="Look inside"))
     note, text = heading.locator(".wb-fold-note"), heading.locator("h2 ~ p").first
     expect(note).to_be_visible()
@@ -101,7 +104,7 @@ def check_fold(page: LabPage, ask: Locator, artifacts: Path) -> None:
     page.page.screenshot(path=artifacts / "prediction_folded.png")
     for run in ("loop_moments", "class TiltReader", 'reveal("loop-and-timer"'):
         page.run(page.cell(run))
-    expect(text).to_be_hidden()  # it has run, and nobody has predicted
+    expect(text).to_be_hidden()  # the cells have run, but there is no prediction
     ask.locator(".wb-option").first.click()
     expect(text).to_be_visible()
     expect(note).to_have_count(0)
@@ -109,7 +112,7 @@ def check_fold(page: LabPage, ask: Locator, artifacts: Path) -> None:
 
 
 def check_opened_again(page: LabPage, artifacts: Path) -> None:
-    """A lesson that was run, saved and opened again shows what was chosen, although no cell has run."""
+    """Reopen a lesson that was run and saved. It shows the choice, although no cell has run."""
     page.open(LESSON)
     ask = page.cell('predict("half-a-hertz")')
     buttons = ask.locator(".wb-option")
@@ -125,7 +128,7 @@ def check_opened_again(page: LabPage, artifacts: Path) -> None:
 
 
 def test_the_page_shows_no_key_before_the_choice(page: LabPage) -> None:
-    """Nothing that the page holds, or may ask the server for, tells more than the question."""
+    """Search the page, and all that it may request from the server, for anything that reveals the outcome."""
     page.open("notebooks/04_subscriptions_and_callbacks.ipynb")
     expect(page.panel.locator(".wb-option").first).to_be_visible()
     address = f"{page.lab.address}/workbook/predictions?lesson=04_subscriptions_and_callbacks"

@@ -1,5 +1,6 @@
-"""Code, tracebacks and pictures of time can be read in both themes, and nothing is cut in a narrow window. Films can be
-stopped.
+"""Readability in both themes and in a narrow window.
+
+This covers code, tracebacks, timelines, and films, which can be stopped.
 """
 
 import shutil
@@ -58,7 +59,7 @@ BRIGHTNESS = "image => getComputedStyle(image).filter"
 
 
 def check_names_of_cells(page: LabPage) -> None:
-    """A screen reader says which cell an editor is, also when a cell has come before it."""
+    """Check that a screen reader announces the right cell for an editor, even after a cell was inserted above it."""
     editors = page.panel.locator(".jp-Cell .cm-content")
 
     def names() -> list[str]:
@@ -99,7 +100,7 @@ def test_code_tracebacks_and_timelines_can_be_read(page: LabPage, lab: StudentLa
 
 
 def first_film(page: LabPage, lab: StudentLab, stem: str) -> tuple[Locator, Locator]:
-    """Open a committed lesson, with its outputs. Returns the slider and the button of its first film."""
+    """Open a committed lesson with its outputs. Return the slider and the button of its first film."""
     shutil.copy(ROOT / "notebooks" / f"{stem}.ipynb", lab.work / "films.ipynb")
     page.open("films.ipynb")
     film = page.panel.locator(".wb-film").first

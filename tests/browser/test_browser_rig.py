@@ -1,4 +1,4 @@
-"""The robot that the page draws: it looks like the stills, glides at the screen's rate, and rests without a frame."""
+"""The robot that the page draws: it looks like the stills, moves at the screen's rate, and at rest draws no frames."""
 
 import io
 import json
@@ -21,10 +21,13 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 GROUNDS = {"light": "#ffffff", "dark": "#111111"}
 REST_MS = 5000
 SAME, OTHER = 0.01, 0.03
-"""Shares of pixels that differ: at most between the page's robot and the still, where the shading of raised arms is on
-another side, and at least between two poses."""
+"""Shares of pixels that differ.
 
-# Counts frames, and the time that scripts take in them.
+The page's robot may differ from the still by at most the first share, because raised arms are shaded on the other side.
+Two poses differ by at least the second.
+"""
+
+# Count the frames, and the script time in them.
 COUNTED = """
 () => {
     const asked = window.requestAnimationFrame.bind(window);
@@ -48,7 +51,8 @@ async ([code, figure, ground]) => {
 }
 """
 _TAKE = "news => window.robot.take(news)"
-# What is drawn, to the last digit. (Two screenshots of one and the same drawing differ in some pixels' last bits.)
+# The drawing's attributes, to the last digit. (Two screenshots of the same drawing may differ in the last bits of some
+# pixels.)
 _DRAWN = """
 () => {
     const drawn = window.robot.node.cloneNode(true);
@@ -80,13 +84,13 @@ def shown(page: Page, ground: str = GROUNDS["light"]) -> None:
 
 
 def await_rest(page: Page) -> None:
-    # By the clock: a look at each frame would itself be counted as a frame.
+    # Poll by time, because polling at each frame would itself request frames.
     page.wait_for_function("() => window.robot._frame === null", polling=20)
 
 
 @pytest.fixture
 def moving_page(browser: Browser) -> Iterator[Page]:
-    """A page of the figure's size, whose reader asks for nothing special."""
+    """Open a page of the figure's size, for a reader who hasn't requested reduced motion."""
     size = {"width": humanoid.WIDTH, "height": humanoid.HEIGHT}
     context = browser.new_context(viewport=size, reduced_motion="no-preference")  # type: ignore[arg-type]
     page = context.new_page()
@@ -98,7 +102,7 @@ def moving_page(browser: Browser) -> Iterator[Page]:
 
 
 def other_pixels(page: Page, still: bytes) -> float:
-    """The share of pixels in which the page differs clearly from a still on white."""
+    """Return the share of pixels in which the page clearly differs from a still on white."""
     drawn = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
     picture = Image.open(io.BytesIO(still)).convert("RGBA")
     ground = Image.new("RGBA", picture.size, "#ffffff")
@@ -133,7 +137,7 @@ def test_it_glides_and_then_rests(moving_page: Page, artifacts: Path) -> None:
     assert mean < MOST_SCRIPT_MS
     await_rest(moving_page)
     before = moving_page.evaluate(_FRAMES)
-    moving_page.wait_for_timeout(REST_MS)  # what is measured is this time
+    moving_page.wait_for_timeout(REST_MS)  # the interval that is measured
     assert moving_page.evaluate(_FRAMES) == before
     size = sum(path.stat().st_size for path in FRONT_END.iterdir())
     measured = {
@@ -191,7 +195,7 @@ def test_each_effect_can_be_seen(moving_page: Page, artifacts: Path, theme: str)
         moving_page.evaluate(_TAKE, {"awake": True})
         moving_page.clock.run_for(1000)
         moving_page.evaluate(_TAKE, news)
-        moving_page.clock.run_for(200)  # in the middle of what lasts only for a moment
+        moving_page.clock.run_for(200)  # in the middle of a short animation
         looks[name] = np.asarray(Image.open(io.BytesIO(moving_page.screenshot())).convert("RGB"), dtype=int)
         Image.fromarray(looks[name].astype(np.uint8)).save(artifacts / f"rig_{name}_{theme}.png")
     calm = looks.pop("nothing else")

@@ -1,4 +1,4 @@
-"""The site: it builds without complaints, its links lead somewhere, and it's alive in a browser without a kernel."""
+"""The site: it builds without warnings, its links lead somewhere, and it is interactive without a kernel."""
 
 import fcntl
 import gzip
@@ -29,13 +29,13 @@ pytestmark = [
     pytest.mark.skipif(find_spec("myst_nb") is None, reason="no Sphinx: run `make env EXTRAS=site`"),
 ]
 BUILT = "WORKBOOK_BUILT_SITE"
-"""Environment variable: a site that was built before, for those who run one of these tests again and again."""
+"""Environment variable: the folder of a site that was built before. It saves time when you rerun one of these tests."""
 HOST = "http://localhost"
-"""Of the pages in the browser, which takes it for as safe as https."""
+"""The host of the pages in the browser, which considers it as secure as https."""
 BASE = "/rclpy-workbook/"
-"""A project's pages are below its name, so no link may begin at the root of the host."""
+"""On GitHub, a project's pages are below its name, so no link may begin at the root of the host."""
 MOST_BYTES = 300_000
-"""Of a page's first view, as gzip sends it, without images."""
+"""The largest size of a page's first view, as gzip sends it, without images."""
 WIDTHS = (400, 800, 1280)
 KINDS = (
     "index.html",
@@ -63,7 +63,7 @@ TYPES = {
 }
 PICTURES = (".png", ".webp", ".svg")
 SEARCHED = {
-    # Error texts as people have asked about them, and where.
+    # Error messages in the wording of people's questions, by the place where they asked.
     "ros2/rclpy#1081": (
         "rclpy._rclpy_pybind11.RCLError: failed to shutdown: rcl_shutdown already called on the given context, "
         "at ./src/rcl/init.c:241",
@@ -118,7 +118,7 @@ SYMPTOMS = {
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
-    """The site, built once for all workers."""
+    """Build the site once for all workers."""
     if os.environ.get(BUILT):
         return Path(os.environ[BUILT]).resolve()
     base = tmp_path_factory.getbasetemp()
@@ -134,7 +134,7 @@ def site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
 
 @cache
 def links_and_names(path: Path) -> tuple[frozenset[str], frozenset[str]]:
-    """What a page links to or loads, and the names within it that others can link to."""
+    """Return what a page links to or loads, and the names within it that others can link to."""
     from bs4 import BeautifulSoup
 
     soup = BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
@@ -191,7 +191,7 @@ def test_no_page_tells_the_outcome_of_a_prediction_in_plain_text(site: Path) -> 
 
 @pytest.fixture
 def context(browser: Browser, site: Path, request: pytest.FixtureRequest) -> Iterator[BrowserContext]:
-    """A browser that gets the site's files below BASE, and nothing else: the site has no other host."""
+    """Create a browser context that serves only the site's files, below BASE. The site uses no other host."""
     opened = browser.new_context(
         **{"viewport": {"width": 1280, "height": 900}, **getattr(request, "param", {})}
     )
@@ -252,7 +252,7 @@ def test_a_page_can_be_read_by_everyone(context: BrowserContext, name: str) -> N
 
 
 def found(context: BrowserContext, words: str) -> list[str]:
-    """The addresses of the search's results, best first."""
+    """Return the addresses of the search results, best first."""
     page = opened(context, f"search.html?q={quote(words)}")
     page.wait_for_selector("#search-results ul.search li a")
     links = page.locator("#search-results ul.search li > a")

@@ -1,4 +1,4 @@
-"""The pages of a class and of its students, in both themes. They need a Chromium, and no JupyterLab."""
+"""The pages of a class and of its students, in both themes. They need a Chromium, but no JupyterLab."""
 
 import re
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ both_themes = pytest.mark.parametrize("theme", THEMES)
 
 @pytest.fixture(scope="module")
 def books(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The pages of a generated class."""
+    """Generate the pages of a class."""
     out = tmp_path_factory.mktemp("class")
     exercise = load_exercise(STEM, ROOT)
     results = {result.key: result for result in generated_class(exercise, out)}
@@ -44,7 +44,7 @@ def books(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def themed(browser: Browser, theme: str) -> Iterator[BrowserContext]:
-    """A browser in a theme and without any network: whatever a page asks for but itself is refused."""
+    """Open a browser in a theme and without a network: requests to anything but the page itself are refused."""
     context = browser.new_context(color_scheme=theme, viewport={"width": 1280, "height": 900})  # type: ignore[arg-type]
     context.route(re.compile("^(?!file:)"), lambda route: route.abort())
     try:

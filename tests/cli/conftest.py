@@ -1,4 +1,4 @@
-"""A course of its own with an empty `work/`, and the command as a person types it."""
+"""A separate course with an empty `work/`, and the command as a person types it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @dataclass(frozen=True)
 class Published:
-    """What one command printed, and its exit code."""
+    """A command's output and exit code."""
 
     code: int
     out: str
@@ -25,7 +25,7 @@ Type = Callable[..., Published]
 
 @pytest.fixture
 def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The course with a `work/` of its own, as the current folder."""
+    """Make a course with its own `work/`, and change to its folder."""
     folder = tmp_path / "course"
     folder.mkdir()
     for name in ("exercises", "solutions", "notebooks"):
@@ -34,7 +34,7 @@ def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (folder / "work" / ".state").mkdir()
     (folder / "work" / "notebooks").mkdir()
     monkeypatch.setenv("WORKBOOK_COURSE", str(folder))
-    # Commands name this folder to the process they run in: afterwards it is as it was.
+    # commands set this variable in their process; monkeypatch restores it
     monkeypatch.setenv("WORKBOOK_ANSWERS", "")
     monkeypatch.chdir(folder)
     return folder
@@ -42,11 +42,11 @@ def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def typed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Type:
-    """Runs `workbook` with arguments, in a terminal of 80 columns unless `columns` says otherwise."""
+    """Run `workbook` with arguments, in a terminal of 80 columns unless `columns` says otherwise."""
 
     def type_it(*arguments: str, columns: int = 80) -> Published:
         monkeypatch.setenv("COLUMNS", str(columns))
-        monkeypatch.setenv("WORKBOOK_ANSWERS", "")  # a command may set it: afterwards it is as it was
+        monkeypatch.setenv("WORKBOOK_ANSWERS", "")  # a command may set it; monkeypatch restores it
         capsys.readouterr()
         try:
             code = main(arguments)

@@ -1,4 +1,4 @@
-"""`workbook check`: which file it judges from where, and what it keeps of the outcome."""
+"""`workbook check`: which file it judges, depending on the current folder, and what it stores."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`workbook completion`: what Tab offers, tried in each shell that is here (bash always is)."""
+"""`workbook completion`: what Tab offers, tested in each installed shell (bash is always installed)."""
 
 import os
 import shutil
@@ -21,7 +21,7 @@ COMP_LINE='{line}' COMP_POINT={length} COMP_TYPE=9
 _python_argcomplete workbook
 printf '%s\\n' "${{COMPREPLY[@]}}"
 """,
-    # Without its completion system: the two functions of it that the script calls print what they are given.
+    # Without zsh's completion system: the two functions that the script calls print their arguments.
     "zsh": """
 compdef() {{ : }}
 _describe() {{ print -l -- ${{(P)2}} }}
@@ -38,7 +38,7 @@ complete -C '{line}'
 
 
 def offered(shell: str, path: Path, line: str) -> set[str]:
-    """What Tab offers after a line, without descriptions."""
+    """Return what Tab offers after a line, without descriptions."""
     program = path.with_name("ask")
     program.write_text(ASK[shell].format(script=path, line=line, length=len(line), words=line))
     options = {"bash": ["--norc"], "zsh": ["-f"], "fish": ["-N"]}[shell]

@@ -1,4 +1,4 @@
-"""Options and folders of `workbook grade` that cannot have an effect are refused, and nothing is judged."""
+"""Options and folders of `workbook grade` that can't have an effect are refused before any answer is judged."""
 
 from pathlib import Path
 

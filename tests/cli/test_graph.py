@@ -1,4 +1,4 @@
-"""What a terminal says of a topic that nobody publishes. `tests/ros/test_ros_tools.py` has the commands at work."""
+"""What a command prints about a topic without publishers. `tests/ros/test_ros_tools.py` tests the other cases."""
 
 import argparse
 

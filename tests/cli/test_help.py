@@ -22,7 +22,7 @@ def all_parsers(parser: CommandParser) -> Iterator[CommandParser]:
 
 
 def too_wide(text: str, columns: int) -> list[str]:
-    """Lines that could have been broken: one word alone, such as an address, cannot."""
+    """Return the lines that are too wide but could have been broken. A single word, such as an address, can't be."""
     return [line for line in text.splitlines() if len(line) > columns and " " in line.strip()]
 
 

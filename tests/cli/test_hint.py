@@ -1,4 +1,4 @@
-"""`workbook hint`: one more each time, remembered with the rest of the progress."""
+"""`workbook hint`: each call shows one more hint, and the number is stored with the rest of the progress."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What commands print fits into 80 columns, and into 60 where the terminal has no more."""
+"""The commands' output fits into 80 columns, and into 60 if the terminal has no more."""
 
 import sys
 from pathlib import Path

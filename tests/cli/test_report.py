@@ -1,4 +1,4 @@
-"""`workbook report` bundles what a helper needs and nothing personal; `workbook replay` trusts nothing of it."""
+"""`workbook report` includes what a helper needs and nothing personal. `workbook replay` trusts nothing in a report."""
 
 import getpass
 import json
@@ -28,7 +28,7 @@ LOG = f'File "{HOME}/course/.venv/lib/x.py", line 3\n/home/bob/x.py {USER}@turin
 
 @pytest.fixture(autouse=True)
 def machine(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A machine with names that nothing else has, and a doctor who looks at nothing."""
+    """Simulate a machine with unique names, and a doctor that checks nothing."""
     monkeypatch.setenv("HOME", HOME)
     monkeypatch.setattr(getpass, "getuser", lambda: USER)
     monkeypatch.setattr(platform, "node", lambda: HOST)
@@ -40,7 +40,7 @@ def machine(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def checked(course: Path, text: str = "robot = 1\n", recording: str = "eleven_values") -> Path:
-    """An answer, after a check that gave a stored recording with names in its log."""
+    """Store an answer, and a check of it that gave a stored recording with names in its log."""
     file = course / "work" / "answers" / f"{STEM}.py"
     file.write_text(text)
     stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{recording}.json")

@@ -1,4 +1,4 @@
-"""`workbook check --watch`: judged again at each save, on one screen, and nothing stays behind."""
+"""`workbook check --watch` judges again at each save, on one screen, and leaves nothing behind."""
 
 import fcntl
 import os
@@ -28,18 +28,18 @@ CLEAR = "\x1b[H\x1b[2J\x1b[3J"
 
 
 def heed_ctrl_c() -> None:
-    """In the child, before it becomes the command: also when the tests themselves run in the background."""
+    """In the child, handle Ctrl-C before it becomes the command, even if the tests run in the background."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def in_a_terminal() -> None:
-    """In the child: the terminal on its input is the one whose keys it gets."""
+    """In the child, make the terminal on its input its controlling terminal."""
     heed_ctrl_c()
     fcntl.ioctl(0, termios.TIOCSCTTY, 0)
 
 
 class Watching:
-    """A running `workbook check --watch` in a terminal of its own."""
+    """A running `workbook check --watch` in a separate terminal."""
 
     def __init__(self, file: Path, *more: str) -> None:
         self.ours, theirs = pty.openpty()
@@ -61,7 +61,7 @@ class Watching:
         self.seen = ""
 
     def save(self, text: str) -> None:
-        """As editors do: a new file takes the place of the old one."""
+        """Save as editors do: a new file replaces the old one."""
         partial = self.file.with_suffix(".part")
         partial.write_text(text)
         partial.replace(self.file)
@@ -70,7 +70,7 @@ class Watching:
         os.write(self.ours, key.encode())
 
     def screen_with(self, *words: str) -> str:
-        """Wait for a screen that holds all these words; what it shows from its first line on."""
+        """Wait for a screen that contains all these words. Return its text from the first line on."""
         deadline = time.monotonic() + LIMIT_S
         while True:
             screen = self.seen.rpartition(CLEAR)[2].replace("\r\n", "\n")
@@ -82,14 +82,14 @@ class Watching:
                 self.seen += os.read(self.ours, 1 << 16).decode()
 
     def wait_for_another_than(self, known: list[int]) -> None:
-        """Until a process is there that was not: an answer at work."""
+        """Wait for a process that isn't among these: an answer that runs."""
         deadline = time.monotonic() + LIMIT_S
         while not set(process_tree(self.process.pid)) - set(known):
             assert time.monotonic() < deadline
             time.sleep(0.01)
 
     def end(self) -> int:
-        """Wait for its end, and see that nothing of it is left."""
+        """Wait until it ends, and check that it leaves nothing behind."""
         family = process_tree(self.process.pid)
         self.press("\x03")
         code = self.process.wait(LIMIT_S)
@@ -167,7 +167,7 @@ def test_a_missing_or_empty_file_is_waited_for(watch: Callable[..., Watching]) -
 
 
 def test_the_first_start_writes_the_starter_and_hints_count(course: Path) -> None:
-    """From the course's folder, with no answer yet; `h` shows a hint in place of the verdict."""
+    """It starts in the course's folder, without an answer. Pressing `h` shows a hint instead of the verdict."""
     watching = Watching(course / "none.py")
     try:
         watching.screen_with("points.", "work/answers/09_joint_positions.py", "Keys: h hint")

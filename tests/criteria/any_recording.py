@@ -1,7 +1,7 @@
-"""Recordings as strange as a program can make them, from recordings of right answers.
+"""Make strange recordings of any kind that a program could cause, from recordings of right answers.
 
-`python -m tests.criteria.any_recording` makes the latter: one watch of each solution. They need not be of the latest
-scripts, because criteria must bear every recording.
+`python -m tests.criteria.any_recording` records the right answers: one watch of each solution. They may be of older
+scripts, because criteria must tolerate every recording.
 """
 
 import gzip
@@ -36,9 +36,9 @@ from workbook.recording.script import BEFORE_START
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = Path(__file__).parent / "recordings"
 MOST_MESSAGES = 20_000
-"""As in `workbook.watching.recorder`, which needs ROS."""
+"""The same as in `workbook.watching.recorder`, which needs ROS."""
 MOST_CALLS = 2_000
-"""Of one service: as many as a program makes that waits for each response."""
+"""The limit per service, as many as a program makes that waits for each response."""
 STRANGE_FLOATS = (
     math.nan,
     math.inf,
@@ -106,13 +106,16 @@ LOG_LINES = (
 
 @cache
 def right(stem: str) -> Recording:
-    """The recording of the solution of an exercise. Where its script is drawn, criteria need the seed of a run."""
+    """Load the recording of an exercise's solution.
+
+    If its script is drawn, the recording needs a seed for the criteria.
+    """
     stored = Recording.from_json(json.loads(gzip.decompress((FOLDER / f"{stem}.json.gz").read_bytes())))
     return stored if stored.seed is not None else replace(stored, seed=load_exercise(stem).drawn(1).plan.seed)
 
 
 def bytes_of(value: Any) -> int:
-    """About how many bytes a message takes of the room for its topic, too few rather than too many."""
+    """Estimate the bytes that a message takes of its topic's quota, too few rather than too many."""
     if isinstance(value, dict):
         large = value.get("length", 0) // 1000 if "first" in value else 0
         return large + sum(map(bytes_of, value.values()))
@@ -122,13 +125,13 @@ def bytes_of(value: Any) -> int:
 
 
 class Flood:
-    """Makes a recording hold as much as there is room for. `times` draws a moment of the watch (s)."""
+    """Fills a recording up to its quotas. `times` draws a moment of the watch (s)."""
 
     def __init__(self, exercise: Exercise, random: Random, times: Callable[[Random, float], float]) -> None:
         self._plan, self._random, self._times = exercise.plan, random, times
 
     def flooded(self, recording: Recording, change: Callable[[Any], Any]) -> Recording:
-        """All that the program sent, sent again and again; `change` makes a new value of each one."""
+        """Return the recording with its messages repeated up to the quota; `change` makes each value new."""
         topics = {
             name: replace(one, arrivals=self._arrivals(one, recording, change))
             for name, one in recording.topics.items()
@@ -167,22 +170,22 @@ class Flood:
 
 
 def evenly(random: Random, end: float) -> float:
-    """A moment anywhere in a watch that ends at `end` (s)."""
+    """Draw a moment anywhere in a watch that ends at `end` (s)."""
     return random.uniform(0.0, end)
 
 
 def in_one_burst(random: Random, end: float) -> float:
-    """A moment within a hundredth of a second."""
+    """Draw a moment within one hundredth of a second."""
     return end / 2 + random.uniform(0.0, 0.01)
 
 
 def in_bursts(random: Random, end: float) -> float:
-    """A moment within one of ten bursts."""
+    """Draw a moment within one of ten bursts."""
     return random.randrange(10) * end / 10 + random.uniform(0.0, 0.001)
 
 
 class Strange:
-    """Draws changes of a recording, such that the watch of an exercise can make it."""
+    """Draws changes of a recording that the exercise's watch could have recorded."""
 
     def __init__(self, exercise: Exercise, random: Random) -> None:
         self._exercise, self._random = exercise, random
@@ -194,7 +197,7 @@ class Strange:
         return self._random.random() < 0.2
 
     def value(self, value: Any) -> Any:
-        """A value of the same message type: its numbers, texts and the lengths of its arrays may be others."""
+        """Return a value of the same message type, perhaps with other numbers, texts, and array lengths."""
         if self._random.random() < 0.5:
             return value
         if isinstance(value, dict):
@@ -218,7 +221,7 @@ class Strange:
         return self._one((items, items[:-1], items + items[:1], [], items[:1] * 300, items[::-1], items[:1]))
 
     def foreign(self) -> tuple[str, Any]:
-        """A message type, and a value of it."""
+        """Return another message type, and a value of it."""
         numbers = [self._one(STRANGE_FLOATS) for _ in range(self._random.randrange(4))]
         return self._one(
             (
@@ -240,7 +243,7 @@ class Strange:
         )
 
     def topic(self, topic: TopicRecording, end: float) -> TopicRecording:
-        """The same topic as another program might have it; `end`: of the watch (s)."""
+        """Return the topic as another program might use it. `end`: the end of the watch (s)."""
         for change in self._random.sample(self._topic_changes(), self._random.randrange(4)):
             topic = change(topic, end)
         return topic
@@ -310,7 +313,7 @@ class Strange:
             yield SubscriberSeen(one.node, one.type, one.reliability, one.durability, one.deadline)
 
     def recording(self, recording: Recording) -> Recording:
-        """The same watch of another program."""
+        """Return the same watch of another program."""
         topics = {name: self.topic(one, recording.watched_s) for name, one in recording.topics.items()}
         if self._seldom() and topics:
             del topics[self._one(list(topics))]
@@ -322,7 +325,7 @@ class Strange:
         return recording
 
     def _more_topics(self, recording: Recording) -> dict[str, TopicRecording]:
-        """Topics of names that are like those that are wanted, or not at all."""
+        """Add topics whose names resemble those that are wanted, or don't."""
         found = {}
         for number in range(self._one((1, 3, 60))):
             base = self._one([*recording.topics, "/x"])
@@ -360,7 +363,7 @@ class Strange:
         ]
 
     def _begin_of(self, said: Sequence[Published]) -> Iterator[Published]:
-        """What was said until the watch ended early; what comes before the start is always said."""
+        """Return the messages published until the watch ended early, and always those from before the start."""
         left = self._random.randrange(len(said) + 1)
         return (one for place, one in enumerate(said) if place < left or one.t <= BEFORE_START)
 

@@ -1,4 +1,4 @@
-"""Recordings made by hand, for criteria that need no robot."""
+"""Make recordings by hand, for criteria that need no robot."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -33,7 +33,7 @@ def on_topic(
     undecodable: int = 0,
     not_kept: int = 0,
 ) -> TopicRecording:
-    """A topic with messages at `times`; `values` are those of the field `data` (default: all 0.0)."""
+    """Make a topic with messages at `times`. `values` are those of the field `data` (default: all 0.0)."""
     moments = list(times)
     contents = [0.0] * len(moments) if values is None else list(values)
     arrivals = tuple(Arrival(t, t, {"data": value}) for t, value in zip(moments, contents, strict=True))
@@ -43,7 +43,7 @@ def on_topic(
 def recorded(
     *topics: TopicRecording, process: ProcessRecord = LIVING, clock: Clock = "wall", nodes: bool = True
 ) -> Recording:
-    """A recording of 14 s of these topics."""
+    """Make a recording of 14 s of these topics."""
     return Recording(
         clock=clock,
         domain_id=17,
@@ -64,6 +64,6 @@ def ended_by_itself(log: str = "", exit: int = 1, signal: str | None = None) -> 
 
 
 def every(period: float, count: int, start: float | None = None) -> list[float]:
-    """`count` moments, one every `period` seconds."""
+    """Return `count` times, one every `period` seconds."""
     first = period if start is None else start
     return [first + period * index for index in range(count)]

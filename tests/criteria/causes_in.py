@@ -1,7 +1,7 @@
-"""The causes of a criteria file or a module of the vocabulary, read without running it.
+"""Find the causes in a criteria file or a module of the vocabulary without running it.
 
-The id of a cause heads its words in the catalog, or stands as a literal in the call that says them:
-`failed("rate.too-fast", saw, expected, because, try)`, or a local function or a table row that takes the id as well.
+A cause's id is the key of its text in the catalog, or a literal in the call that makes the feedback. The call is
+`failed("rate.too-fast", saw, expected, because, try)`, or a local function or table row that also takes the id.
 """
 
 import ast
@@ -16,13 +16,13 @@ VERDICTS = ("failed", "partial")
 
 
 def vocabulary() -> list[Path]:
-    """The modules of the vocabulary."""
+    """Return the modules of the vocabulary."""
     folder = ROOT / "workbook" / "criteria" / "vocabulary"
     return [path for path in sorted(folder.glob("*.py")) if path.name != "__init__.py"]
 
 
 def exercises() -> list[Path]:
-    """The criteria files of the exercises."""
+    """Return the criteria files of the exercises."""
     return sorted((ROOT / "exercises" / "criteria").glob("*.py"))
 
 
@@ -34,7 +34,7 @@ class Source:
         self._tree = ast.parse(path.read_text(encoding="utf-8"))
 
     def causes(self) -> list[str]:
-        """All causes that are named, each as often as it is; one of the catalog once."""
+        """Return all causes that are named, each as many times as it occurs. Those of the catalog occur once."""
         catalog = self._path.with_suffix(".toml")
         in_catalog = Words(str(self._path)).causes() if catalog.is_file() else set()
         literals = [
@@ -46,7 +46,7 @@ class Source:
         return [*in_catalog, *(cause for cause in literals if cause not in in_catalog)]
 
     def verdicts(self) -> Iterator[tuple[int, ast.expr | None]]:
-        """Line and first argument of each call of `failed` and `partial`."""
+        """Return the line and first argument of each call of `failed` and `partial`."""
         for call in self._calls():
             if _called(call) in VERDICTS:
                 yield call.lineno, next(iter(_first_or_cause(call)), None)
@@ -56,12 +56,12 @@ class Source:
 
 
 def is_cause(value: object) -> bool:
-    """Whether a value is the id of a cause."""
+    """Return whether a value is a cause's id."""
     return isinstance(value, str) and CAUSE.fullmatch(value) is not None
 
 
 def _first_or_cause(call: ast.Call) -> list[ast.expr]:
-    """The arguments of a call that may be a cause: the first, and the one of that name."""
+    """Return a call's arguments that may be a cause: the first one, and the one with that name."""
     return [*call.args[:1], *(one.value for one in call.keywords if one.arg == "cause")]
 
 

@@ -1,4 +1,4 @@
-"""Criteria bear every recording that a program can bring about: none of them crashes, and none takes long."""
+"""Criteria tolerate every recording that a program can cause: none crashes, and none takes long."""
 
 from collections.abc import Callable
 from functools import cache
@@ -28,7 +28,7 @@ from workbook.watching.recorder import KEPT_PER_TOPIC
 STEMS = stems(ROOT / "solutions")
 
 
-read = cache(lambda stem: load_exercise(stem, ROOT))  # hypothesis asks for the same one again and again
+read = cache(lambda stem: load_exercise(stem, ROOT))  # hypothesis requests the same recording repeatedly
 
 
 @pytest.mark.parametrize("stem", STEMS)
@@ -45,7 +45,7 @@ def test_no_criterion_crashes(stem: str, seed: int) -> None:
 @pytest.mark.parametrize("stem", STEMS)
 @pytest.mark.whole
 def test_no_criterion_takes_long(stem: str, times: Callable[[Random, float], float], strange: bool) -> None:
-    """As many messages and calls as are kept: the budget of all criteria together is enough."""
+    """Even if a recording is full of messages and calls, all criteria together stay within their time budget."""
     exercise, random = load_exercise(stem, ROOT), Random(0)
 
     def change(value: Any) -> Any:

@@ -1,4 +1,4 @@
-"""A simulated battery on recordings made by hand: full at first, falling, and the word that fits its charge."""
+"""A simulated battery on recordings made by hand: full at first, then falling, with the word that fits its charge."""
 
 import pytest
 from std_msgs.msg import Float32, String
@@ -19,7 +19,7 @@ def battery(levels: list[float], clock: Clock = "simulated") -> Recording:
 
 
 def both(levels: list[float], words: list[str]) -> Recording:
-    """Charges at 2, 4, 6, ... s and words at 1, 2, 3, ... s, a moment after the charges."""
+    """Record charges at 2, 4, 6, ... s, and words at 1, 2, 3, ... s, shortly after the charges."""
     return recorded(
         on_topic(BATTERY.name, BATTERY.type, every(2.0, len(levels)), levels),
         on_topic(STATUS.name, STATUS.type, [t + 0.01 for t in every(1.0, len(words))], words),

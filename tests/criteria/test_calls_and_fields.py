@@ -1,4 +1,4 @@
-"""Bare errors of rclpy, values that don't fit their field, and names from another ROS: each is explained live."""
+"""rclpy's terse errors, values that don't fit their field, and names from another ROS: each is explained live."""
 
 import re
 from concurrent.futures import ThreadPoolExecutor

@@ -1,4 +1,4 @@
-"""The judge as a camera: fields that are painted late, and directions as the pinhole model has them."""
+"""The judge as a camera: fields that are rendered late, and directions from the pinhole model."""
 
 import hashlib
 import math
@@ -52,8 +52,8 @@ def test_toys_are_where_the_camera_sees_them() -> None:
         cups=(see.Cup((0.9, -0.3)),),
     )
     found = {one.label: one for one in see.things_seen(scene)}
-    assert found.keys() == {"ball", "brick", "cup"}  # a blue ball is none
+    assert found.keys() == {"ball", "brick", "cup"}  # a blue ball doesn't count
     assert scene.ball is not None
     u, v = see.seen_pixel(scene.ball, pan=0.1)
     assert math.dist((found["ball"].u, found["ball"].v), (u, v)) < 1.0
-    assert see.seen_pixel(scene.ball)[0] < u  # the head turns to the left, and all moves to the right
+    assert see.seen_pixel(scene.ball)[0] < u  # the head turns to the left, so everything moves to the right

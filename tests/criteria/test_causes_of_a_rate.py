@@ -1,4 +1,4 @@
-"""Why a topic has another rate than it should, on recordings made by hand: each cause only where it can be told."""
+"""Why a topic's rate is wrong, on recordings made by hand: a cause is named only if the recording proves it."""
 
 from dataclasses import replace
 
@@ -73,7 +73,7 @@ def test_of_too_few_messages_a_late_first_one_is_told() -> None:
 
 
 def silent_beside(other_node: str) -> Recording:
-    """No charge at all, and twelve words: from this node, or from another one."""
+    """Record no charges and twelve words, which come from this node or from another one."""
     battery = on_topic(BATTERY.name, BATTERY.type)
     status = on_topic(STATUS.name, STATUS.type, every(1.0, 12), ["operational"] * 12, node=other_node)
     return replace(recorded(battery, status), wanted=(BATTERY.name, STATUS.name))

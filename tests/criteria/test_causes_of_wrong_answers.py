@@ -1,4 +1,4 @@
-"""Wrong answers name causes that exist."""
+"""Wrong answers name only causes that exist."""
 
 from collections.abc import Iterator
 

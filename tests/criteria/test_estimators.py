@@ -1,4 +1,4 @@
-"""Rates, gaps and bursts under everything that a busy machine does to arrival times."""
+"""Estimates of rates, gaps, and bursts when a busy machine distorts the arrival times."""
 
 import math
 from itertools import pairwise
@@ -18,7 +18,7 @@ sorted_times = st.lists(st.floats(-1e6, 1e6), max_size=60).map(sorted)
 
 @st.composite
 def jittered(draw: st.DrawFn, least: int = 6, jitter: float = 0.1) -> tuple[list[float], float]:
-    """Arrivals of an even stream; each is early or late by up to `jitter` periods."""
+    """Return the arrivals of an even stream. Each is early or late by up to `jitter` periods."""
     period = draw(periods)
     shifts = draw(st.lists(st.floats(-jitter, jitter), min_size=least, max_size=40))
     return [period * (index + 1 + shift) for index, shift in enumerate(shifts)], period
@@ -45,7 +45,7 @@ def test_one_lost_message_leaves_the_rate_within_tolerance(
 def test_another_rate_never_passes_for_the_expected_one(
     stream: tuple[list[float], float], factor: float
 ) -> None:
-    """Jitter cannot pull a rate that is off by 60 % or more back into the tolerance."""
+    """Jitter can't bring a rate that is off by 60% or more back into the tolerance."""
     times, period = stream
     hz = mean_rate(times)
     assert hz is not None

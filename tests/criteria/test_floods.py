@@ -1,4 +1,4 @@
-"""Topics that bring far too many messages are told so, and the others of the program are not harmed."""
+"""The feedback names topics with far too many messages, and the program's other topics aren't affected."""
 
 import pytest
 from std_msgs.msg import Float32

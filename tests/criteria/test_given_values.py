@@ -1,4 +1,4 @@
-"""Whether texts and numbers are given at all, and whether arrays move from message to message."""
+"""Whether a message contains texts and numbers at all, and whether its arrays change from message to message."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""A period that is nearly right is told apart even where one message more or less is allowed."""
+"""A period that is almost right is detected, even if the number of messages may be off by one."""
 
 import pytest
 from std_msgs.msg import Float32
@@ -33,7 +33,7 @@ def test_another_period_is_told(period: float, seen: str) -> None:
 
 
 def test_counts_alone_would_let_it_pass() -> None:
-    """Three messages at 0.4 Hz are one less than the four of 0.5 Hz in 8 s."""
+    """Three messages at 0.4 Hz are only one less than the four at 0.5 Hz in 8 s."""
     recording = recorded(on_topic(BATTERY.name, times=every(2.5, 3), window=(0.0, 8.0)))
     assert see.counts(recording, BATTERY).ok
     assert not see.keeps_period(recording, BATTERY).ok

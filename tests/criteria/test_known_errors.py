@@ -1,4 +1,4 @@
-"""Common errors as they really look: each program runs once through the host, and its log is explained."""
+"""Common errors in real logs: each program runs once in the host, and its log is explained."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -43,7 +43,7 @@ rclpy.spin_once(node, timeout_sec=2.0)
 )
 IN_NODE_LINE = 9
 PATIENCE_S = 120.0
-# Between the question and the shutdown the context goes down, as by the thread of rclpy that handles Ctrl-C.
+# Between the check and the shutdown, the context shuts down, as in rclpy's thread that handles Ctrl-C.
 OVERTAKEN = """\
 import linecache
 import sys
@@ -72,7 +72,7 @@ OVERTAKEN_AFTER_A_MISTAKE = OVERTAKEN.replace(
 
 @dataclass(frozen=True)
 class Case:
-    """A program, the error it ends with, the line that is to blame and a word of the advice."""
+    """A program, the error at its end, the responsible line, and a word from the advice."""
 
     name: str
     program: str
@@ -302,7 +302,7 @@ def test_a_real_traceback_is_explained(case: Case, logs: dict[str, str]) -> None
 
 
 def test_the_line_is_the_students_own(logs: dict[str, str]) -> None:
-    """Frames of rclpy are deeper, but the student's file is where it can be mended."""
+    """rclpy's frames are deeper in the traceback, but the student can only fix their own file."""
     error = find_error(logs["topic_name"], "topic_name.py")
     assert error is not None
     assert error.where == f"line {IN_NODE_LINE}: "
@@ -321,7 +321,7 @@ def test_only_an_end_that_ctrl_c_overtook_is_an_end_in_order_with_a_traceback(lo
     assert not ended_in_order(None, logs["overtaken"])
 
 
-# A spin that is about to wait asks for the nodes: then the context goes down, in one of the ways that there are.
+# A spin queries its nodes before it waits. At this moment, the context shuts down in one of the possible ways.
 SPIN_OVERTAKEN = """\
 import threading
 
@@ -419,7 +419,7 @@ except KeyboardInterrupt:
 
 
 def test_a_message_in_the_middle_of_which_ctrl_c_comes_is_an_end_in_order(tmp_path: Path) -> None:
-    """Python raises it at the first bytecode after the signal: here in the class of the message."""
+    """Python raises KeyboardInterrupt at the first bytecode after the signal: here, in the message's class."""
     log = end_of(TAKE_OVERTAKEN, tmp_path)
     assert "Unable to convert call argument" in log and "good night" not in log
     assert shutdown_overtaken(log) and ended_in_order(1, log)
@@ -481,7 +481,10 @@ def test_a_truncated_traceback_still_tells_the_error() -> None:
 
 
 def test_a_library_that_is_refused_a_thread_is_told_what_to_do() -> None:
-    """What PyTorch ends with: OpenMP exits by itself, without a traceback. Another last line is the program's own."""
+    """When PyTorch can't start a thread, OpenMP ends the process without a traceback.
+
+    A program may also print other last lines.
+    """
     log = "Error in cpuinfo: failed\n\nlibgomp: Thread creation failed: Resource temporarily unavailable\n"
     error = find_error(log)
     assert error is not None

@@ -1,4 +1,4 @@
-"""Names that an object or a module lacks: each program runs through the host, and feedback says which name is right."""
+"""Names that an object or module doesn't have: each program runs in the host, and the feedback gives the right name."""
 
 from concurrent.futures import ThreadPoolExecutor
 
@@ -12,7 +12,7 @@ TICK = "    def tick(self):\n        pass\n"
 
 
 def in_callback(code: str) -> str:
-    """A program whose timer calls this code."""
+    """Return a program whose timer runs this code."""
     text = IN_NODE.format(body="self.pub = self.create_publisher(String, 'x', 10)")
     text = text.replace(TICK, f"    def tick(self):\n        {code}\n")
     return text.replace("10)\n", "10); self.create_timer(0.01, self.tick)\n")

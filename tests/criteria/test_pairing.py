@@ -1,4 +1,7 @@
-"""Inputs and outputs paired in their order: the same pairs as by trying everything, in a bounded number of steps."""
+"""Inputs and outputs, paired in order:
+
+the same pairs as from an exhaustive search, but in a limited number of steps.
+"""
 
 from collections.abc import Callable
 from itertools import count, product
@@ -13,7 +16,7 @@ from workbook.criteria.budget import within_budget
 
 Pairs = list[tuple[int, int]]
 MANY = 1200
-"""Inputs and outputs: a caller at 100 Hz makes so many in one watch."""
+"""The number of inputs and outputs that a caller at 100 Hz produces in one watch."""
 
 
 def tried(
@@ -24,7 +27,7 @@ def tried(
     may_be_extra: Callable[[int], bool],
     excusable: Callable[[int], bool],
 ) -> Pairs | None:
-    """The first way that fits, by trying one after another: each input is paired if it can be, and else left out."""
+    """Search exhaustively, and return the first solution. Each input is paired if possible, otherwise left out."""
 
     def fit(i: int, j: int, excused: bool) -> Pairs | None:
         if i == inputs:
@@ -50,7 +53,7 @@ def cases(draw: st.DrawFn) -> dict[str, Any]:
         return draw(st.sets(st.integers(0, most))).__contains__
 
     together = draw(st.sets(st.sampled_from([*product(range(7), range(7))])))
-    alike = draw(st.booleans())  # most pairs fit then, and what is left out matters
+    alike = draw(st.booleans())  # then most pairs fit, so it matters which are left out
     return {
         "inputs": inputs,
         "outputs": outputs,
@@ -71,7 +74,7 @@ def test_pairs_are_those_of_trying_everything(case: dict[str, Any]) -> None:
 @pytest.mark.parametrize("missing", [False, True])
 @pytest.mark.parametrize("more_outputs", [0, 1])
 def test_each_pair_is_looked_at_once(missing: bool, more_outputs: int) -> None:
-    """However many ways there are to leave something out, and however long the inputs are."""
+    """This holds for any number of ways to leave something out, and for any length of the inputs."""
     looks = count()
 
     def belongs(i: int, j: int) -> bool:

@@ -1,4 +1,4 @@
-"""The messages of one of several who talk on one topic, and errors at the end, on recordings made by hand."""
+"""One of several publishers on a topic, and errors at the end, on recordings made by hand."""
 
 from dataclasses import replace
 

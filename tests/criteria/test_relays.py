@@ -1,4 +1,4 @@
-"""What a program passes on, next to what it was sent; stamps; and heartbeats while the program is busy."""
+"""A program's outputs compared with its inputs; stamps; and heartbeats while the program is busy."""
 
 import pytest
 from std_msgs.msg import String

@@ -1,4 +1,4 @@
-"""A table of rules gives the first cause that fits, in the words of its catalog; misfits are refused on import."""
+"""A table of rules gives the first cause that fits, in the catalog's words. Invalid tables are refused on import."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -83,7 +83,7 @@ def test_where_no_rule_fits_there_is_no_verdict(words: Callable[[str], Words]) -
 
 @dataclass(frozen=True)
 class Recorded(Facts):
-    """Facts that name their recording."""
+    """Facts that include their recording."""
 
     log: str = ""
 

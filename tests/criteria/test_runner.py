@@ -1,4 +1,4 @@
-"""Running criteria over a recording: order, needs, hidden ones, parts, and criteria that are broken themselves."""
+"""Run criteria over a recording: order, needs, hidden criteria, parts, and criteria that crash."""
 
 import itertools
 import signal
@@ -139,7 +139,7 @@ def test_points_and_titles_are_checked() -> None:
 
 
 class Module:
-    """A criteria file as Python sees it."""
+    """A criteria file, as an imported module."""
 
     battery = topic("/robot/battery", Float32, hz=0.5)
     status = topic("/robot/status", String, hz=2.0)
@@ -182,7 +182,7 @@ def takes_long(name: str, forever: Callable[[], object]) -> Criterion:
         while True:
             try:
                 forever()
-            except Exception:  # as a criterion may do for reasons of its own
+            except Exception:  # a criterion may do this for its own reasons
                 pass
 
     judge.__name__ = name
@@ -234,7 +234,7 @@ def test_an_interrupted_check_leaves_no_criterion_at_work() -> None:
         while True:
             pass
 
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # it is ignored in a shell's background
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
     try:
         with pytest.raises(KeyboardInterrupt):
             within_budget(works, budget_s=600.0)

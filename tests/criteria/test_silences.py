@@ -1,4 +1,4 @@
-"""Why a topic stopped, on recordings made by hand."""
+"""Why a topic went silent, on recordings made by hand."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ STATUS = topic("/robot/status", String, hz=1.0)
 
 
 def stopped(words: int, process: ProcessRecord = LIVING) -> Recording:
-    """Three charges in 14 s, and so many words, one a second."""
+    """Record three charges in 14 s, and `words` words, one per second."""
     recording = recorded(
         on_topic(BATTERY.name, BATTERY.type, every(2.0, 3)),
         on_topic(STATUS.name, STATUS.type, every(1.0, words), ["operational"] * words),

@@ -1,4 +1,4 @@
-"""The time in which the judge was held up is taken out of a recording."""
+"""The time for which the judge was held up is removed from a recording."""
 
 import pytest
 
@@ -9,7 +9,10 @@ PERIOD_S, LONGEST_S = 0.02, 0.1
 
 
 def recording(pause_s: float) -> Recording:
-    """The judge sends every 0.02 s, with a pause after 1 s. An answer comes before, in the middle, and 0.5 s after."""
+    """Record a judge that publishes every 0.02 s, with a pause after 1 s.
+
+    The program publishes before the pause, in the middle of it, and 0.5 s after it.
+    """
     times = [PERIOD_S * n + (pause_s if n > 50 else 0.0) for n in range(101)]
     published = tuple(Published("/robot/imu", t, t + 3.0, {}) for t in times)
     moments = (0.5, 1.0 + pause_s / 2.0, 1.5 + pause_s)

@@ -1,4 +1,4 @@
-"""Tracebacks of every shape: the first exception is the cause, whatever its name, in any order of the threads."""
+"""Tracebacks of every kind: the first exception is the cause, whatever its name and the order of the threads."""
 
 import pytest
 from hypothesis import given

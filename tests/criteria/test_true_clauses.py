@@ -1,4 +1,4 @@
-"""What feedback says besides its cause is true as well: an end is named first, and what "went on" really did."""
+"""Not only the cause in the feedback is true: an end is named first, and topics that "went on" really did."""
 
 import re
 from dataclasses import replace
@@ -30,7 +30,7 @@ ALL_STOPPED = re.compile(r"the last message on (.+?) arrived at ([\d.]+) s")
 
 
 def ended(recording: Recording, moment: float, how: dict[str, object]) -> Recording:
-    """The recording of the same program, had it ended at a moment of the watch (s of simulated time)."""
+    """Return the recording as if the program had ended at this time (s, simulated)."""
     came = [one for topic in recording.topics.values() for one in topic.arrivals]
     events = [*came, *recording.calls, *recording.published]
     wall = max((one.wall for one in events if one.t <= moment), default=0.3) + 0.01
@@ -70,7 +70,7 @@ def test_the_end_of_a_program_is_named_before_its_consequences(stem: str, how: s
 
 
 def stopped(recording: Recording, random: Random) -> Recording:
-    """Some topics stop at moments of their own, some never begin, and some go on."""
+    """Return the recording as if each topic had never begun, had stopped at a random time, or had gone on."""
     topics = {}
     for name, topic in recording.topics.items():
         until = random.choice((0.0, random.uniform(0.0, recording.watched_s), recording.watched_s))

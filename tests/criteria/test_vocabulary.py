@@ -1,4 +1,4 @@
-"""Each word of the vocabulary on recordings made by hand: right verdict, the student's own numbers, full sentences."""
+"""Each word of the vocabulary on recordings made by hand: right verdict, the student's numbers, full sentences."""
 
 import math
 from collections.abc import Callable
@@ -23,7 +23,7 @@ TRACEBACK = (
     'Traceback (most recent call last):\n  File "/answers/answer.py", line 7, in <module>\n    main()\n'
     "NameError: name 'Float32' is not defined\n"
 )
-OVERTAKEN = (  # as this rclpy says it; what a real one looks like is tried in test_known_errors.py
+OVERTAKEN = (  # in the words of this rclpy; test_known_errors.py checks real errors
     'Traceback (most recent call last):\n  File "/answers/answer.py", line 60, in main\n    rclpy.try_shutdown()\n'
     '  File "/site-packages/rclpy/utilities.py", line 100, in try_shutdown\n    g_default_context.try_shutdown()\n'
     '  File "/site-packages/rclpy/context.py", line 139, in try_shutdown\n    self.__context.shutdown()\n'
@@ -36,7 +36,7 @@ def said(verdict: Verdict) -> str:
 
 
 def refuses(verdict: Verdict, *words: str, about_time: bool = False) -> None:
-    """The verdict fails, says these words, and leaves no part of its advice empty."""
+    """Check that the verdict fails, contains these words, and leaves no part of its advice empty."""
     assert not verdict.ok, verdict
     assert all((verdict.saw, verdict.expected, verdict.because, verdict.try_this)), verdict
     assert verdict.about_time is about_time, verdict
@@ -476,7 +476,7 @@ def test_within() -> None:
         "90 rad in message 1, element 1",
         "degrees",
         "math.radians()",
-        "max(-math.pi, min(math.pi, value))",  # rounded, the bound would be a value beyond it
+        "max(-math.pi, min(math.pi, value))",  # a rounded bound would itself be out of range
     )
     refuses(see.within(battery([2.0, 4.0], [99.0, -0.5]), BATTERY, 0.0, 100.0, "%"), "-0.5 % in message 2")
     refuses(see.within(battery([2.0], [math.inf]), BATTERY, 0.0, 100.0), "inf", "division by zero")

@@ -1,4 +1,4 @@
-"""Every verdict that is not passed has a cause of its own."""
+"""Every verdict that isn't passed has its own cause."""
 
 import ast
 import importlib
@@ -20,7 +20,7 @@ FILES = (*vocabulary(), *exercises())
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_every_verdict_that_is_not_passed_names_its_cause_first(path: Path) -> None:
-    """As a literal, or handed on from where the literal stands."""
+    """The cause is a literal, or it is passed on from the place of the literal."""
     for line, cause in Source(path).verdicts():
         handed_on = isinstance(cause, (ast.Name, ast.Attribute))
         literal = isinstance(cause, ast.Constant) and is_cause(cause.value)
@@ -29,7 +29,7 @@ def test_every_verdict_that_is_not_passed_names_its_cause_first(path: Path) -> N
 
 @pytest.mark.parametrize("path", exercises(), ids=lambda path: path.stem)
 def test_a_cause_stands_in_one_place(path: Path) -> None:
-    """Once in an exercise and the vocabulary together: so a verdict that is passed on keeps an id of its own."""
+    """Each cause occurs once in an exercise and the vocabulary together, so each verdict can be identified."""
     named = [cause for one in (path, *vocabulary()) for cause in Source(one).causes()]
     assert not [cause for cause, times in Counter(named).items() if times > 1]
 

@@ -1,4 +1,4 @@
-"""Words about the driver, on recordings made by hand."""
+"""The vocabulary for drivers, on recordings made by hand."""
 
 import os
 from collections.abc import Callable
@@ -46,7 +46,7 @@ BATTERY = topic("/robot/battery", Float32)
 
 
 def calls_of(*reports: tuple[float, str], sent: dict[float, float]) -> list[see.DriverCall]:
-    """What is made of these reports and numbers, each at its moment (s)."""
+    """Return the calls that the criteria reconstruct from these reports and numbers, each at its time (s)."""
     said = on_topic(
         REPORT.name, "std_msgs/msg/String", [at for at, _ in reports], [text for _, text in reports]
     )
@@ -83,7 +83,7 @@ def test_a_call_of_which_a_report_got_lost_is_not_complete() -> None:
     )
     assert (
         first.complete and first.later == []
-    )  # 65.0 went out during the second call, which was not announced
+    )  # 65.0 was published during the second call, which was not announced
     assert not second.complete
     assert (third.how, third.sent, third.complete) == (None, [7.0], False)
 
@@ -97,7 +97,7 @@ Sign = Callable[[str, str], str]
 
 @pytest.fixture
 def sign() -> Sign:
-    """What a driver with this key signs with."""
+    """Return a function that signs as a driver with this key does."""
     kept, (read_fd, write_fd) = os.dup(0), os.pipe()
     os.write(write_fd, KEY)
     os.dup2(read_fd, 0)
@@ -110,7 +110,7 @@ def sign() -> Sign:
 
 
 def seen_by_criteria(*values: Any, key: bytes = KEY) -> Recording:
-    """What criteria see of these reports."""
+    """Return these reports as the criteria get them."""
     reports = on_topic(REPORT.name, TEXT, [float(at) for at in range(len(values))], list(values))
     process = ProcessRecord(program="answer.py", driver_key=key.hex())
     return only_signed(recorded(reports, process=process), (REPORT.name,))
@@ -184,7 +184,7 @@ def test_an_array_is_signed_in_its_label(sign: Sign, data: Any, is_seen: bool) -
 
 
 def test_without_a_key_everything_is_seen_as_it_is() -> None:
-    """The recordings of earlier versions hold no key, and can be judged again."""
+    """Recordings by earlier versions contain no key, but can be judged again."""
     found = seen_by_criteria("made", "done", key=b"")
     assert see.driver_reports(found, REPORT) == ["made", "done"]
     assert found.notes == ()

@@ -1,4 +1,4 @@
-"""Whether a subscription asks for no more than is offered, and whether a message is kept for those who come later."""
+"""Whether a subscription's requested QoS matches the offered one, and whether late subscribers still get a message."""
 
 from dataclasses import replace
 

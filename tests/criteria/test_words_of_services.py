@@ -1,4 +1,4 @@
-"""Which service a program calls: the right one, another one, of another type, or none."""
+"""Which service a program calls: the right one, another one, one of another type, or none."""
 
 from dataclasses import replace
 

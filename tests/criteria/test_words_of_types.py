@@ -1,4 +1,4 @@
-"""Words about what the type checker says: clean, accepted, objected to, and nothing earned by hiding."""
+"""The vocabulary for type checks: clean, accepted, and rejected code; hiding code from mypy earns nothing."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -30,7 +30,7 @@ TYPED = "def send(level: float) -> None: ...\n"
 
 
 def read(program: str, *probes: Probe) -> Recording:
-    """A recording with what mypy really says of a program and of probes."""
+    """Make a recording with mypy's real output for a program and for probes."""
     return replace(recorded(), findings=type_check(program, {one.name: one.code for one in probes}))
 
 

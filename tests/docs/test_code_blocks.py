@@ -1,4 +1,4 @@
-"""Every code block of the manuals works: criteria judge recordings, commands parse, tables are read."""
+"""Every code block of the manuals works: criteria judge recordings, commands can be parsed, and tables can be read."""
 
 import ast
 import csv
@@ -30,17 +30,17 @@ from workbook.grading.appeals import COLUMNS, read_lines
 
 STEM = "09_joint_positions"
 QUOTED = "02_nodes"
-"""The exercise whose criteria, and their words, docs/judge.md quotes."""
+"""The exercise whose criteria and feedback docs/judge.md quotes."""
 JOINTS = "/robot/joint_positions"
 RECORDINGS = ROOT / "tests" / "recordings" / STEM
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _INDENTED = re.compile(r"(?:^ {4}.*\n)+", re.MULTILINE)
 SOURCES = ("# %%", "# ---", "# **1.", "# [solution]", "# loses:")
-"""A block with such a line is a piece of a lesson, an exercise, or a wrong answer. Those have checks of their own."""
+"""A block with such a line is part of a lesson, an exercise, or a wrong answer, which have their own checks."""
 
 
 def blocks(name: str) -> list[tuple[str, str]]:
-    """The fenced blocks of a page: language and text."""
+    """Return the fenced blocks of a page: language and text."""
     return _FENCE.findall((ROOT / name).read_text(encoding="utf-8"))
 
 
@@ -54,7 +54,7 @@ def pieces(language: str) -> list[Any]:
 
 
 def command_lines(name: str) -> Iterator[str]:
-    """Commands of `workbook` in fenced and indented blocks, as one types them."""
+    """Return the `workbook` commands in fenced and indented blocks, as one types them."""
     text = (ROOT / name).read_text(encoding="utf-8")
     shown = [*(block for told, block in blocks(name) if not told), *_INDENTED.findall(_FENCE.sub("", text))]
     for block in shown:
@@ -98,7 +98,7 @@ def test_a_table_of_settings_can_be_read(name: str, text: str) -> None:
 
 @pytest.mark.parametrize(("name", "text"), pieces("python"))
 def test_python_is_python_and_what_it_calls_takes_it(name: str, text: str) -> None:
-    """Pieces of lessons are only parsed. All others are run; those that return stand in a function, and are called."""
+    """Parts of lessons are only parsed. All other blocks run; those with a return statement are put into a function."""
     code = textwrap.dedent(text)
     if any(mark in text for mark in SOURCES):
         ast.parse(code)
@@ -138,7 +138,7 @@ def test_the_criterion_of_the_manual_passes_one_answer_and_fails_another(
     joints = recording.topic(JOINTS)
 
     def verdict(neck: float) -> Any:
-        """Of the same answer, with a neck that reaches this angle (rad)."""
+        """Judge the same answer with a neck that reaches this angle (rad)."""
         arrivals = tuple(
             replace(one, value={**one.value, "data": [neck, *one.value["data"][1:]]})
             for one in joints.arrivals

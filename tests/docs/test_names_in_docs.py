@@ -1,4 +1,4 @@
-"""Pages for authors name files and words of the vocabulary that exist."""
+"""The files and vocabulary names on authors' pages exist."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Files that a code-hosting page reads: the citation, the forms for issues, the workflow of a release."""
+"""Files that a code-hosting site reads: the citation, the issue forms, and the release workflow."""
 
 import re
 import tomllib

@@ -1,4 +1,4 @@
-"""The README promises only what is there: commands, links, lessons, pictures."""
+"""The README mentions only commands, links, lessons, and images that exist."""
 
 import json
 import re
@@ -35,7 +35,7 @@ def targets(text: str) -> set[str]:
 
 
 def commands(text: str) -> str:
-    """Everything on a page that stands in code: spans, fences and indented lines."""
+    """Return all code on a page: spans, fences, and indented lines."""
     prose = re.sub(
         r"^```.*?^```", lambda fence: f"`{fence[0].strip('`')}`", text, flags=re.MULTILINE | re.DOTALL
     )
@@ -43,7 +43,7 @@ def commands(text: str) -> str:
 
 
 def anchors(text: str) -> set[str]:
-    """The anchors that a code-hosting page makes of the headings."""
+    """Return the anchors that a code-hosting site generates from the headings."""
     found = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in found}
 
@@ -118,7 +118,7 @@ def test_the_readme_is_read_in_two_screens() -> None:
 
 
 def pictures() -> dict[Path, str]:
-    """The pictures that pages show, and their words."""
+    """Return the images on pages, and their alt texts."""
     links = [(ROOT / name, link) for name in ALL_PAGES for link in _LINK.finditer(page(name))]
     return {(path.parent / link["target"]).resolve(): link["text"] for path, link in links if link["picture"]}
 

@@ -1,4 +1,4 @@
-"""The bootstrap with a stand-in for uv: what it asks for, when it does nothing, how it recovers."""
+"""The bootstrap with a fake uv: what it requests, when it does nothing, and how it recovers."""
 
 import json
 import os
@@ -12,7 +12,7 @@ import pytest
 from workbook.lab import bootstrap
 
 ROOT = Path(bootstrap.__file__).resolve().parents[2]
-# Writes its arguments to a log, makes what a real uv would make, and fails when told to.
+# Writes its arguments to a log, creates what the real uv would create, and fails on request.
 FAKE_UV = """\
 #!{python}
 import os, pathlib, sys
@@ -40,7 +40,7 @@ elif "--editable" in sys.argv:
 
 
 class Checkout:
-    """A folder with the bootstrap, a small lock file, and the stand-in on the PATH."""
+    """A folder with the bootstrap, a small lock file, and the fake uv on the PATH."""
 
     def __init__(self, folder: Path) -> None:
         self.top = folder
@@ -149,7 +149,10 @@ def test_a_failed_installation_is_told_and_repaired(checkout: Checkout) -> None:
 
 @pytest.mark.parametrize("with_uv", [True, False], ids=["uv", "pip"])
 def test_an_active_environment_that_is_unfinished_is_made_anew(checkout: Checkout, with_uv: bool) -> None:
-    """A terminal of VS Code finds the Python of `.venv` first: what creates must not be what is being removed."""
+    """In VS Code's terminal, `.venv` comes first on the PATH.
+
+    Its Python must not create the new environment, because the old folder is being removed.
+    """
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", checkout.venv], check=True)
     (checkout.venv / bootstrap.UNFINISHED).touch()
     (checkout.venv / "half").touch()

@@ -1,4 +1,4 @@
-"""The `workbook` command and the Makefile as a person meets them."""
+"""The `workbook` command and the Makefile, as a person uses them."""
 
 import os
 import re
@@ -33,7 +33,7 @@ def test_building_the_command_line_imports_nothing_heavy() -> None:
 
 @pytest.fixture
 def other_ros(tmp_path: Path) -> dict[str, str]:
-    """The environment of a shell in which another ROS was sourced, whose rclpy does not work here."""
+    """Return the environment of a shell that sourced another ROS, whose rclpy doesn't work here."""
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("raise ImportError('built for another Python')\n")
     return os.environ | {"PYTHONPATH": str(tmp_path), "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp"}

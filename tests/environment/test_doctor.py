@@ -1,4 +1,4 @@
-"""`workbook doctor`: what it finds, and that it says what to do."""
+"""`workbook doctor`: the problems it finds, and its advice for each."""
 
 import io
 import socket

@@ -1,7 +1,7 @@
-"""A newcomer's first minutes on an empty Debian: an ordinary user types the README's first command, and nothing else.
+"""A newcomer's first minutes on an empty Debian: an ordinary user types only the README's first command.
 
-The machine is a root file system of Debian's own packages. Each command has its own mounts and processes, which end
-with it. Where pip gets packages from is handed in: a package index may be reached in another way here.
+The machine is a root file system of Debian's own packages. Each command has separate mounts and processes, which end
+with it. The source of pip's packages is passed in, because this machine may use its own package index.
 """
 
 import os
@@ -24,7 +24,7 @@ from workbook.inside.proc import process_tree
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 NEEDED = ("ca-certificates", "git", "make", "python3", "python3-venv")
-"""What the README asks for; without certificates nothing can be downloaded."""
+"""The tools that the README requires. Without certificates, nothing can be downloaded."""
 HOME = "/home/student"
 COURSE = f"{HOME}/rclpy-workbook"
 URL = re.compile(r"http://(?:127\.0\.0\.1|localhost):\d+/\S*token=\w+")
@@ -43,11 +43,14 @@ cp /etc/resolv.conf etc/resolv.conf
 chroot --userspec=student:student . env -i HOME=/home/student PATH=/usr/bin:/bin LANG=C.UTF-8 "$@"
 exit $?
 """
-"""The last line keeps the shell, which ends with `unshare` and takes all of the machine's processes along."""
+"""The last line keeps the shell in place.
+
+When `unshare` ends, the shell and all of the machine's processes end, too.
+"""
 
 
 class PipSettings(NamedTuple):
-    """Where pip gets packages from on this machine: as variables, and the folders and files that they name."""
+    """Where pip gets packages on this machine: variables, and the folders and files that they name."""
 
     variables: list[str]
     places: list[str]
@@ -64,13 +67,13 @@ class PipSettings(NamedTuple):
         return cls(variables, places)
 
     def mounts(self, root: Path) -> set[str]:
-        """The places to mount in a machine. A local index links to files beside it, so all of `/opt` is mounted."""
+        """Return the places to mount. A local index links to neighboring files, so all of `/opt` is mounted."""
         tops = {place: Path(*Path(place).parts[:2]) for place in self.places}
         return {place if any((root / top.name).iterdir()) else str(top) for place, top in tops.items()}
 
 
 class Machine:
-    """An empty Debian with a clone of the course in the home folder of an ordinary user."""
+    """An empty Debian with a clone of the course in an ordinary user's home folder."""
 
     def __init__(self, root: Path, release: str) -> None:
         self._root = root
@@ -84,7 +87,7 @@ class Machine:
         subprocess.run(["chroot", root, "chown", "-R", "student:student", HOME], check=True)
 
     def start(self, command: str) -> "subprocess.Popen[str]":
-        """Start a command of the student's, in the folder of the course."""
+        """Start a command as the student, in the course's folder."""
         return subprocess.Popen(
             [
                 "unshare", "--mount", "--pid", "--ipc", "--fork", "--kill-child", "sh", "-c", ENTER, "enter",
@@ -95,7 +98,7 @@ class Machine:
         )  # fmt: skip
 
     def do(self, command: str) -> str:
-        """Run a command of the student's and return what it printed."""
+        """Run a command as the student, and return its output."""
         with self.start(command) as running:
             said, _ = running.communicate()
         assert running.returncode == 0, said
@@ -103,7 +106,7 @@ class Machine:
 
 
 def address_in(running: "subprocess.Popen[str]") -> str:
-    """The address that JupyterLab prints. Fails with all that was printed if it ends without one."""
+    """Return the address that JupyterLab prints. If it ends without one, fail with its output."""
     assert running.stdout is not None
     said: list[str] = []
     while not (found := URL.search("".join(said[-1:]))):
@@ -113,7 +116,7 @@ def address_in(running: "subprocess.Popen[str]") -> str:
 
 
 def answers(url: str) -> bool:
-    """Whether a page comes from the address; `False` while nothing listens there."""
+    """Return whether the address delivers a page; `False` while no server listens there."""
     try:
         with urllib.request.urlopen(url, timeout=60) as page:
             return bool(page.status == 200)
@@ -124,7 +127,7 @@ def answers(url: str) -> bool:
 
 
 def _sources(release: str) -> list[Path]:
-    """This machine's package sources, if they are those of the release; otherwise mmdebstrap's own."""
+    """Return this machine's package sources if they are the release's; otherwise, mmdebstrap uses its own."""
     return [
         path
         for path in Path("/etc/apt/sources.list.d").glob("*.sources")
@@ -150,7 +153,7 @@ def machine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 @pytest.mark.slow
 @pytest.mark.whole
 class TestOnAnEmptyMachine:
-    """One machine of each release, and the steps in their order."""
+    """The steps of a newcomer in order, on one machine per release."""
 
     def test_the_first_command_opens_the_lessons(self, machine: Machine) -> None:
         [command] = re.findall(r"^\| Linux .*\| `(make lab)` \|$", README, re.MULTILINE)
@@ -163,7 +166,7 @@ class TestOnAnEmptyMachine:
                 print(f"JupyterLab answers {time.monotonic() - began:.0f} s after `{command}`.")
                 started = process_tree(running.pid)
             finally:
-                running.kill()  # and with it, all processes of the machine
+                running.kill()  # all processes of the machine end with it
             running.wait()
             wait_until(lambda: all(map(is_gone, started)), "the server and its kernels end")
 

@@ -1,4 +1,4 @@
-"""The home page: for whom it is, what it says, and when it changes."""
+"""The home page: whom it greets, what it says, and when it changes."""
 
 import json
 import re
@@ -16,7 +16,7 @@ STEM = "05_timers"
 
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
-    """A student's copy in which nothing was done."""
+    """Make an unused student's copy."""
     (tmp_path / "work" / ".state").mkdir(parents=True)
     (tmp_path / "work" / ".state" / "delivered.json").write_text("{}")
     (tmp_path / "work" / "answers" / ".best").mkdir(parents=True)

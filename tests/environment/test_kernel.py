@@ -1,4 +1,4 @@
-"""Every kernel of the environment is set up before its first cell, whoever starts it."""
+"""Every kernel of the environment is set up before its first cell, no matter which program starts it."""
 
 import json
 import os
@@ -16,7 +16,7 @@ from workbook.lab import jupyter_files, kernel, work_folder
 
 @pytest.fixture
 def run_cell(tmp_path: Path) -> Iterator[Callable[..., str]]:
-    """Runs one cell in a new kernel that has only the configuration that `make env` writes."""
+    """Run one cell in a new kernel that has only the configuration from `make env`."""
     opened: list[tuple[PrivateKernelManager, Any]] = []
     profile = tmp_path / "profile_default"
     profile.mkdir()
@@ -85,7 +85,7 @@ def test_two_kernels_have_two_domains(run_cell: Callable[..., str]) -> None:
 
 
 class Shell:
-    """Just enough of IPython's shell to start in."""
+    """The part of IPython's shell that the startup needs."""
 
     def __init__(self, load: Callable[[str], str | None]) -> None:
         self.hooks: list[Callable[..., None]] = []
@@ -136,7 +136,7 @@ def test_files_go_where_jupyter_looks(tmp_path: Path) -> None:
 
 
 def test_a_file_that_another_environment_has_too_stays_as_it_is_there(tmp_path: Path) -> None:
-    """uv installs by hard links to its cache, the kernel of ipykernel among them."""
+    """uv installs files as hard links to its cache, ipykernel's kernel specification among them."""
     name = "share/jupyter/kernels/python3/kernel.json"
     ours, theirs = tmp_path / "ours" / name, tmp_path / "theirs" / name
     jupyter_files.install(tmp_path / "theirs", "/their/bin/python")
@@ -151,7 +151,7 @@ def test_a_file_that_another_environment_has_too_stays_as_it_is_there(tmp_path: 
 def test_what_a_lesson_writes_does_not_lie_among_the_lessons(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.chdir(tmp_path)  # and back, afterwards
+    monkeypatch.chdir(tmp_path)  # restores the current folder at the end
     (tmp_path / "notebooks").mkdir()
     kernel.leave_the_lessons(tmp_path / "notebooks")
     assert Path.cwd() == tmp_path, "a folder of notebooks that is not a student's copy"

@@ -1,4 +1,4 @@
-"""Starting JupyterLab: the command, the port, the environment, and words when it cannot start."""
+"""Start JupyterLab: the command, the port, the environment, and the messages if it can't start."""
 
 import os
 import socket
@@ -28,7 +28,7 @@ def test_the_persons_arguments_come_last_and_so_win(tmp_path: Path) -> None:
 def test_a_terminal_keeps_the_search_path_of_the_environment(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # A shell that is named is started as it is; without a name it is a login shell, which sets PATH anew.
+    # A shell from $SHELL starts as a plain shell. Without it, JupyterLab starts a login shell, which resets PATH.
     monkeypatch.setenv("SHELL", "/bin/some-shell")
     line = launch.command([], work=tmp_path, lesson=None, root_user=False)
     assert "--ServerApp.terminado_settings={'shell_command': ['/bin/some-shell']}" in line
@@ -112,7 +112,7 @@ def test_the_first_start_opens_the_first_lesson_and_later_ones_open_at_home(
     (tmp_path / "notebooks").mkdir()
     (tmp_path / "notebooks" / "00_start_here.ipynb").write_text('{"cells": []}')
     monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
-    monkeypatch.chdir(tmp_path)  # and back, afterwards
+    monkeypatch.chdir(tmp_path)  # restores the current folder at the end
     started: list[list[str]] = []
     monkeypatch.setattr(os, "execve", lambda program, line, environ: started.append(line))
     main(["lab"])
@@ -125,7 +125,7 @@ def test_the_first_start_opens_the_first_lesson_and_later_ones_open_at_home(
 def test_a_folder_that_jupyter_cannot_write_is_said_in_one_line(
     variable: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A file in its place cannot be written into, not even by root."""
+    """If a file has the folder's name, not even root can write into it."""
     for name in (
         "JUPYTER_RUNTIME_DIR",
         "JUPYTER_DATA_DIR",
@@ -147,7 +147,7 @@ def test_a_folder_that_jupyter_cannot_write_is_said_in_one_line(
 
 @pytest.fixture
 def from_wheel(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
-    """A folder of a student whose package came in a wheel."""
+    """Make a student's folder whose package was installed from a wheel."""
     monkeypatch.setattr(launch, "is_from_wheel", lambda: True)
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     folder = tmp_path / "robots"
@@ -173,7 +173,7 @@ def test_the_copy_of_a_wheel_is_found_from_below(from_wheel: Path, monkeypatch: 
 def test_the_copy_of_a_wheel_never_mixes_with_other_files(
     folder: str, from_wheel: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A home folder counts as full even if it's new."""
+    """The home folder is not considered empty, even if it's new."""
     place = from_wheel.parent / folder
     place.mkdir(exist_ok=True)
     if folder == "robots":

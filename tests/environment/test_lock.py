@@ -1,4 +1,4 @@
-"""requirements.lock: hashes everywhere, no registry, sections that fit each other and pyproject.toml."""
+"""requirements.lock: hashes for all packages, no registry, and sections that match each other and pyproject.toml."""
 
 import re
 import tomllib

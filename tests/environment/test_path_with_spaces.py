@@ -1,4 +1,4 @@
-"""The course in a folder whose path has spaces, brackets, and an umlaut: doctor, a lesson, and a batch work there."""
+"""The course works in a folder with spaces, brackets, and an umlaut in its path: doctor, a lesson, and a batch."""
 
 import csv
 import json
@@ -24,7 +24,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.whole]
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the course with its environment, whose libraries are then loaded from such a path."""
+    """Copy the course with its environment, so that its libraries are loaded from such a path."""
     place = tmp_path_factory.mktemp("elsewhere") / "my course (ä)"
     shutil.copytree(ROOT, place, ignore=LEFT_AT_HOME, symlinks=True)
     shutil.copytree(sys.prefix, place / ".venv", symlinks=True, copy_function=_link)
@@ -34,13 +34,13 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (packages / "workbook.pth", f"{place}\n"),
         (place / ".venv" / STAMP, json.dumps(stamp | {"root": str(place)})),
     ):
-        path.unlink()  # the original shares this file
+        path.unlink()  # a hard link: the original would change, too
         path.write_text(text, encoding="utf-8")
     return place
 
 
 def _link(source: str, target: str) -> None:
-    """Link a file where that is possible: copying a gigabyte takes long."""
+    """Link a file if possible, because copying a gigabyte takes long."""
     try:
         os.link(source, target)
     except OSError:

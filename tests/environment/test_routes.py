@@ -1,4 +1,4 @@
-"""The ways to start that no test can take here: their files agree with each other and with the package."""
+"""Ways to start that no test can try here: their files must agree with each other and with the package."""
 
 import json
 import re
@@ -10,11 +10,11 @@ ROOT = Path(__file__).resolve().parents[2]
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 PACKAGE = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 NAMES_ELSEWHERE = {"opencv-python-headless": "py-opencv"}
-"""Packages that conda calls by another name."""
+"""Packages that have another name in conda."""
 
 
 def required() -> dict[str, str]:
-    """What the package asks for, besides ROS: name and limits."""
+    """Return the package's requirements except ROS: name and limits."""
     found = [
         re.fullmatch(r"([\w-]+)(\S*)", one) for one in PACKAGE["dependencies"] if not one.startswith("ros-")
     ]
@@ -45,7 +45,7 @@ def test_the_image_for_arm_installs_what_the_package_asks_for() -> None:
 
 
 def test_the_image_is_for_students() -> None:
-    """No root inside, nothing but the wheel of the course, a check of its health, and work that survives."""
+    """Its user isn't root, it contains just the course's wheel, it checks its health, and a student's work survives."""
     last = DOCKERFILE.rpartition("\nFROM ")[2]
     assert "COPY --from=build /opt/workbook" in last and last.count("COPY") == 1
     assert "USER student" in last and "HEALTHCHECK" in last and "VOLUME /home/student/robots" in last

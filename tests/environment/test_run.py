@@ -151,7 +151,7 @@ def test_tests_that_never_end_are_interrupted_and_fail(proof: ModuleType) -> Non
 def test_a_failed_test_is_not_run_again(
     proof: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A test that isn't steady is repaired."""
+    """An unreliable test must be repaired instead."""
     monkeypatch.setattr(proof, "ARTIFACTS", tmp_path)
     runs = tmp_path / "runs"
     program = f"open({str(runs)!r}, 'a').write('x'); raise SystemExit(1)"

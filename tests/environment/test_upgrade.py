@@ -1,4 +1,4 @@
-"""An older student's copy, made by the course as it was on November 23, 2026, meets the course of today.
+"""An older student's copy, made by the course of November 23, 2026, is used with today's course.
 
 In `copy_of_2026_11_23.zip`, the student had run lesson 02, added notes to lesson 05, answered exercise 09 twice (the
 first answer was better), and made two predictions. Lesson 08 and exercise 08 were never opened.
@@ -23,7 +23,7 @@ STEM = "09_joint_positions"
 
 @pytest.fixture
 def work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The copy, after a start with the course of today. The student stands in it."""
+    """Return the copy after a start with today's course. It is the current folder."""
     for name in ("exercises", "lesson_nodes", "notebooks", "solutions"):
         (tmp_path / name).symlink_to(ROOT / name)
     folder = tmp_path / "work"

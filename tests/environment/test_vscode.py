@@ -1,7 +1,8 @@
-"""What the folder tells VS Code, against VS Code's documentation: our kernel, and tasks whose commands work.
+"""Our VS Code settings, checked against its documentation: our kernel, and tasks whose commands work.
 
-VS Code itself is not here. What it documents of its files is: https://code.visualstudio.com/docs/reference/tasks-appendix
-and https://code.visualstudio.com/docs/reference/variables-reference.
+VS Code itself isn't installed here. Its file formats are documented at
+https://code.visualstudio.com/docs/reference/tasks-appendix and
+https://code.visualstudio.com/docs/reference/variables-reference.
 """
 
 import json
@@ -32,7 +33,7 @@ TASK_KEYS = {
     "isBackground": bool,
     "problemMatcher": list,
 }
-"""Of the documented properties of a task those that we use, with their types."""
+"""The documented properties of a task that we use, with their types."""
 ALLOWED: dict[tuple[str, ...], set[Any]] = {
     ("type",): {"shell", "process"},
     ("group", "kind"): {"build", "test"},
@@ -64,7 +65,7 @@ def test_the_kernel_is_the_environment_s() -> None:
 
 
 def test_a_search_finds_the_student_s_copy_and_not_what_it_was_made_from() -> None:
-    """Git does not know `work/`, and by itself VS Code's search leaves out what Git ignores."""
+    """Git ignores `work/`, and VS Code's search excludes by default what Git ignores."""
     settings = read("settings.json")
     hidden = settings["search.exclude"]
     assert settings["search.useIgnoreFiles"] is False
@@ -109,7 +110,7 @@ def test_each_task_is_a_command_that_there_is(task: dict[str, Any]) -> None:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """The folder that a student opens, with `work/` and an answer to one exercise: full marks."""
+    """Make the folder that a student opens, with `work/` and an answer that gets full marks."""
     for name in ("notebooks", "exercises", "lesson_nodes", "solutions"):
         (tmp_path / name).symlink_to(ROOT / name)
     run(tmp_path, "lab", "--only-copy")
@@ -124,7 +125,7 @@ def environment(course: Path) -> dict[str, str]:
 
 
 def run(course: Path, *arguments: str) -> "subprocess.CompletedProcess[str]":
-    """The program that the tasks name, in the environment of these tests."""
+    """Run the tasks' program in the environment of these tests."""
     return subprocess.run(
         [Path(sys.executable).with_name("workbook"), *arguments],
         cwd=course,
@@ -137,7 +138,7 @@ def run(course: Path, *arguments: str) -> "subprocess.CompletedProcess[str]":
 
 
 def arguments_of(words: str) -> list[str]:
-    """What the task with these words passes to `workbook`."""
+    """Return the arguments that the task with these words passes to `workbook`."""
     task = next(task for label, task in TASKS.items() if label.endswith(words))
     assert task["type"] == "process" and task["options"] == {"cwd": "${workspaceFolder}"}
     assert filled(task["command"]) == str(ROOT / ".venv" / "bin" / "workbook")

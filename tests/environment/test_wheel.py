@@ -1,4 +1,4 @@
-"""The wheel for students: built twice, installed into an empty environment, and used there from an empty folder."""
+"""The students' wheel: built twice, installed into an empty environment, and used there from an empty folder."""
 
 import csv
 import json
@@ -62,7 +62,7 @@ def names(wheel: Path) -> set[str]:
 def test_the_same_files_give_the_same_bytes(
     wheel: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "315532800")  # the first day that a zip file can name
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "315532800")  # the earliest date that a zip file can store
     assert build_wheel(ROOT, tmp_path).read_bytes() == wheel.read_bytes()
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     assert build_wheel(ROOT, tmp_path).read_bytes() != wheel.read_bytes()
@@ -100,7 +100,7 @@ def test_no_lesson_gives_away_what_happens(wheel: Path) -> None:
 
 
 def test_it_has_nothing_that_is_not_in_the_students_edition(wheel: Path, tmp_path: Path) -> None:
-    """That one has no solution (tests/grading/test_students_edition.py), so the wheel has none either."""
+    """That edition contains no solution (tests/grading/test_students_edition.py), so the wheel doesn't, either."""
     edition = tmp_path / "edition"
     students_edition(ROOT, edition)
     apart = {SEARCH_PATH, f"workbook/{IN_A_WHEEL}/requirements.lock"}
@@ -140,7 +140,7 @@ def test_the_doctor_names_each_package_that_differs_from_the_lock() -> None:
 
 
 class Installed:
-    """The wheel in an environment of its own, and a student's folder; neither is in the checkout."""
+    """The wheel in a separate environment, and a student's folder. Both are outside the checkout."""
 
     def __init__(self, place: Path, wheel: Path) -> None:
         self.folder = place / "my robots"
@@ -162,7 +162,7 @@ class Installed:
         return bootstrap.clean_environ() | kept
 
     def do(self, *command: str, **more: str) -> str:
-        """Run a command in the student's folder, and return what it printed."""
+        """Run a command in the student's folder, and return its output."""
         done = subprocess.run(
             command, cwd=self.folder, env=self.environ | more, capture_output=True, text=True, check=False
         )
@@ -170,7 +170,7 @@ class Installed:
         return done.stdout
 
     def fails(self, *command: str) -> str:
-        """Run a command that has to end with exit code 1, and return what it printed."""
+        """Run a command that has to end with exit code 1, and return its output."""
         done = subprocess.run(command, cwd=self.folder, env=self.environ, capture_output=True, text=True)
         assert done.returncode == 1, done.stdout + done.stderr
         return done.stdout
@@ -181,7 +181,7 @@ class Installed:
 
 @pytest.fixture(scope="module")
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Installed:
-    """With the student's copy made, as the first start makes it."""
+    """Install the wheel and make the student's copy, as the first start does."""
     found = Installed(tmp_path_factory.mktemp("elsewhere"), wheel)
     assert "notebooks to my robots/." in found.do(found.script(), "lab", "--only-copy")
     return found
@@ -190,7 +190,7 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Installe
 @pytest.mark.slow
 @pytest.mark.whole
 class TestInAnEmptyEnvironment:
-    """One installation for all of these."""
+    """Tests that share one installation."""
 
     def test_the_second_start_touches_nothing_of_the_students(self, installed: Installed) -> None:
         lesson = installed.folder / "notebooks" / "05_timers.ipynb"
@@ -211,7 +211,7 @@ class TestInAnEmptyEnvironment:
         assert "`rclpy-workbook lab` opens the lessons" in said
 
     def test_a_lesson_shows_what_is_committed(self, installed: Installed, tmp_path: Path) -> None:
-        """nbval runs here, and its kernel there: the last cell says so."""
+        """nbval runs here, but its kernel runs there. The last cell proves it."""
         notebook = nbformat.read(ROOT / "notebooks" / f"{LESSON}.ipynb", 4)
         where = nbformat.v4.new_code_cell(
             "import workbook, lesson_nodes\nprint(workbook.__path__, lesson_nodes.__path__)"
@@ -236,7 +236,10 @@ class TestInAnEmptyEnvironment:
         assert "10 of 10 points" not in installed.fails(installed.script(), "check", STEM, str(wrong))
 
     def test_a_lesson_runs_in_a_plain_kernel(self, installed: Installed, wheel: Path, tmp_path: Path) -> None:
-        """As in Colab: nothing of ours is configured, and the first cell installs the course into its own kernel."""
+        """As in Colab:
+
+        we configured nothing, and the first cell installs the course into the kernel's own environment.
+        """
         folder = tmp_path / "colab"
         lessons_for_colab(Tree(ROOT), folder, str(wheel))
         notebook = nbformat.read(folder / f"{LESSON}.ipynb", 4)
@@ -244,7 +247,10 @@ class TestInAnEmptyEnvironment:
         config.rename(tmp_path / config.name)
         try:
             plain = {name: value for name, value in installed.environ.items() if name != "IPYTHONDIR"}
-            before = {**plain, "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1"}  # Python ran before ROS was there
+            before = {
+                **plain,
+                "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1",
+            }  # Python was running before ROS was installed
             first = nbformat.v4.new_notebook(cells=notebook.cells[:1])
             run_in_kernel(first, installed.python, folder, before)
             assert RESTART in text_of(first)
@@ -273,7 +279,7 @@ class TestInAnEmptyEnvironment:
 
 
 def run_in_kernel(notebook: NotebookNode, python: Path, folder: Path, environ: dict[str, str]) -> None:
-    """Run all cells in a new kernel of this Python, with no kernel specification of ours. An error fails the test."""
+    """Run all cells in a new kernel of this Python, without our kernel specification. An error fails the test."""
     manager = AsyncKernelManager()
     manager.kernel_spec_manager.ensure_native_kernel = False
     manager._kernel_spec = KernelSpec(
@@ -284,13 +290,13 @@ def run_in_kernel(notebook: NotebookNode, python: Path, folder: Path, environ: d
 
 
 def text_of(notebook: NotebookNode) -> str:
-    """What the cells printed, and the text of what they showed."""
+    """Return the text that the cells printed or displayed."""
     outputs = [out for cell in notebook.cells for out in cell.get("outputs", [])]
     return "".join(out.get("text", "") or out.get("data", {}).get("text/plain", "") for out in outputs)
 
 
 def hand_ins(folder: Path) -> tuple[Path, Path]:
-    """A right and a wrong answer as files."""
+    """Write a right and a wrong answer to files."""
     tree = Tree(ROOT)
     wrong = read_wrong_answer(tree, ROOT / "tests" / "wrong_answers" / STEM / "eleven_values.py")
     shutil.copy(ROOT / "tests" / "right_answers" / STEM / "class_alone.py", folder / "right.py")

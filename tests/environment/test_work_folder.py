@@ -1,4 +1,4 @@
-"""The student's copy: nothing the student wrote is ever lost."""
+"""The student's copy: nothing that the student wrote is ever lost."""
 
 import json
 import platform
@@ -208,7 +208,7 @@ def test_a_notebook_says_which_python_it_is_for_so_that_opening_it_changes_nothi
     lesson["metadata"] = {"language_info": {"name": "python"}}
     (course / LESSON).write_text(json.dumps(lesson))
     work.joinpath("notebooks").mkdir(parents=True)
-    (work / LESSON).write_text(json.dumps(lesson))  # as an earlier version delivered it
+    (work / LESSON).write_text(json.dumps(lesson))  # as an earlier version of the course delivered it
     update_work_folder(course, work)
     told = json.loads((work / LESSON).read_text())["metadata"]["language_info"]
     assert told == {"name": "python", "version": platform.python_version()}

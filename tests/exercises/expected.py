@@ -1,4 +1,4 @@
-"""What a wrong answer must lose, as its header says, compared with a judgement."""
+"""Compare a judgment with the losses that a wrong answer's header declares."""
 
 from workbook.authoring.wrong_answers import Header
 from workbook.criteria.runner import CriterionResult
@@ -9,24 +9,24 @@ TAKES_POINTS = ("failed", "partial")
 
 
 def lost(judgement: Judgement) -> set[str]:
-    """The criteria that took points away."""
+    """Return the criteria that took points away."""
     return {result.id for result in judgement.criteria if result.status in TAKES_POINTS}
 
 
 def first_lost(judgement: Judgement, expected: Header) -> CriterionResult:
-    """The first lost criterion, of those that the mistake costs on any machine."""
+    """Return the first lost criterion, except those that the mistake loses only on some machines."""
     costs = (one for one in judgement.criteria if one.id not in expected.also)
     return next(result for result in costs if result.status in TAKES_POINTS)
 
 
 def told(judgement: Judgement, expected: Header) -> str:
-    """What that criterion says."""
+    """Return that criterion's feedback."""
     first = first_lost(judgement, expected)
     return " ".join((first.saw, first.expected, first.because, first.try_this))
 
 
 def differences(judgement: Judgement, expected: Header) -> list[str]:
-    """What is not as the header says, in a line each. Empty if all is."""
+    """Return each difference from the header, as one line. Empty if there is none."""
     if judgement.status != "graded":
         return [f"{judgement.status}: {judgement.reason}"]
     if judgement.full_marks:
@@ -47,7 +47,7 @@ def differences(judgement: Judgement, expected: Header) -> list[str]:
 
 
 def silent(judgement: Judgement) -> list[str]:
-    """Criteria that took points and leave a part of the feedback out."""
+    """Return the criteria that took points away but leave out a part of the feedback."""
     return [
         f"{one.id} leaves out a part of its feedback: {one}"
         for one in judgement.criteria
@@ -56,6 +56,6 @@ def silent(judgement: Judgement) -> list[str]:
 
 
 def explained(judgement: Judgement) -> str:
-    """The feedback and what the program printed, for the message of a test."""
+    """Return the feedback and the program's log, for a test's failure message."""
     log = judgement.recording.process.log if judgement.recording is not None else ""
     return f"{as_text(judgement)}\n{log}"

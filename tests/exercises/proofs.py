@@ -1,4 +1,4 @@
-"""The answers that prove the exercises, and how they are judged: side by side, each three times at most."""
+"""Judge the answers that prove the exercises: in parallel, and each at most three times."""
 
 import os
 import time
@@ -26,18 +26,19 @@ from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.tiers import Isolation
 
 ROOT = course_folder()
-# WORKBOOK_PROOFS=05_timers proves this exercise alone.
+# WORKBOOK_PROOFS=05_timers proves only this exercise.
 STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORKBOOK_PROOFS", stem) == stem)
 CORES = os.cpu_count() or 1
 ARTIFACTS = ROOT / "artifacts"
 MACHINE = {False: ARTIFACTS / "proofs_on_the_wall_clock.tsv", True: ARTIFACTS / "proofs_on_robot_time.tsv"}
-"""One line for each judgment: when it was ready (s), how busy the machine was, how long (s) its recording took, and how
-many tries there were by then."""
+"""One line per judgment: when it was ready (s), how busy the machine was, how long (s) its recording took, and how
+many tries there were by then.
+"""
 COLUMNS = "at exercise answer points held_up stood_still taken in_line clock watched tries doubt".split()
 SOLUTION, STARTER = "solution", "starter"
 FEW = 3
 SEEDS = 20
-"""From so many seeds scripts are drawn here; tests/exercises/test_drawn_scripts.py looks at each of them."""
+"""How many different seeds the proofs use for scripts. tests/exercises/test_drawn_scripts.py checks each of them."""
 CALM_S = 0.25
 IN_LINE_SHARE = 0.02
 TAKEN_SHARE = 0.03
@@ -46,12 +47,12 @@ Key = tuple[str, str]
 
 
 def read(path: Path) -> WrongAnswer:
-    """Read a wrong answer of this course."""
+    """Read one of the course's wrong answers."""
     return read_wrong_answer(Tree(ROOT), path)
 
 
 def answers(kind: str, stem: str) -> list[Path]:
-    """The files of the "right" or "wrong" answers of an exercise."""
+    """Return the files of an exercise's "right" or "wrong" answers."""
     return sorted((ROOT / "tests" / f"{kind}_answers" / stem).glob("*.py"))
 
 
@@ -66,7 +67,7 @@ FEW_WRONG = frozenset(
 
 
 def answer_of(key: Key) -> tuple[Answer, bool]:
-    """The text of an answer, and whether it is to be judged thoroughly. Raises FileNotFoundError if there is none."""
+    """Return an answer's text, and whether to judge it thoroughly. Raises FileNotFoundError if there is none."""
     stem, name = key
     kind, _, file = name.partition("/")
     if kind in (SOLUTION, STARTER):
@@ -80,23 +81,23 @@ def answer_of(key: Key) -> tuple[Answer, bool]:
 
 
 def seed_of(name: str) -> int:
-    """What the script for this answer is drawn from: the same in each run of the tests, another one for most others."""
+    """Return the seed for this answer's script: the same in each test run, but different for most other answers."""
     return zlib.crc32(name.encode()) % SEEDS
 
 
 @dataclass(frozen=True)
 class Pool:
-    """Answers that are judged alike, on slots of their own."""
+    """Answers that are judged in the same way, on separate slots."""
 
     on_simulated_time: bool
     soak: bool
 
     @property
     def slots(self) -> int:
-        """How many are at work at once, and up to three times as many while the processors are idle.
+        """Return how many answers work at the same time; up to three times as many while CPUs are idle.
 
-        On the wall clock, answers wait most of the time. On simulated time, many wrong ones go on to the wall clock,
-        but right ones are at work as long as they have a slot: half as many are enough.
+        On the wall clock, answers wait most of the time. On simulated time, many wrong answers go on to the wall clock.
+        Right ones work as long as they have a slot, so half as many are enough.
         """
         if not self.on_simulated_time:
             return 2 * CORES
@@ -104,7 +105,7 @@ class Pool:
 
 
 class Proofs:
-    """All chosen answers, judged side by side as graders do it: those with the same clock together."""
+    """All chosen answers, judged in parallel as in grading. Answers with the same clock are judged together."""
 
     def __init__(self, chosen: Collection[Key]) -> None:
         ARTIFACTS.mkdir(exist_ok=True)
@@ -113,7 +114,7 @@ class Proofs:
         self._isolation: Isolation = "limits" if sandbox_problem() else "sandbox"
         self._jobs: dict[Pool, dict[Key, Job[Key]]] = {}
         self._pools: dict[Key, Pool] = {}
-        for key in sorted(chosen, reverse=True):  # first those that take long: 14 to 16
+        for key in sorted(chosen, reverse=True):  # first those that take the longest: 14 to 16
             answer, soak = answer_of(key)
             pool = Pool(load_exercise(key[0], ROOT).source.clock == "simulated", soak)
             self._pools[key] = pool
@@ -122,10 +123,10 @@ class Proofs:
         self._tries: dict[Key, int] = {}
 
     def judgement(self, key: Key, as_expected: Callable[[Judgement], bool]) -> Judgement:
-        """What counts for an answer, after three tries at most: so many a student has.
+        """Return the judgment that counts for an answer, after at most three tries, as for a student.
 
-        What is not as expected is judged again, alone. A wrong answer with full marks is not, unless the machine was so
-        busy that the judge had to make allowances, which a wrong answer gets as well.
+        An unexpected judgment is repeated, with nothing else running. But a wrong answer with full marks is repeated
+        only if the machine was so busy that the judge made allowances.
         """
         if key not in self._judgements:
             if self._few:
@@ -141,7 +142,7 @@ class Proofs:
         return judgement
 
     def again(self, stem: str) -> tuple[int, list[str]]:
-        """How many answers of an exercise were judged, and which of them needed more than one try."""
+        """Return how many answers of an exercise were judged, and which of them needed more than one try."""
         tries = {name: number for (one, name), number in self._tries.items() if one == stem}
         return len(tries), sorted(name for name, number in tries.items() if number > 1)
 
@@ -150,14 +151,14 @@ class Proofs:
         return self._tries[key] < MOST_TRIES and (not judgement.full_marks or was_busy(judgement))
 
     def _judge_all_like(self, on_simulated_time: bool) -> None:
-        """Judge all answers that have the clock of this one, side by side."""
+        """Judge all answers on the same clock as this answer, in parallel."""
         MACHINE[on_simulated_time].write_text("\t".join(COLUMNS) + "\n", encoding="utf-8")
         pools = [pool for pool in self._jobs if pool.on_simulated_time == on_simulated_time]
         with ThreadPoolExecutor(max(1, len(pools))) as threads:
             list(threads.map(self._judge_pool, pools))
 
     def _judge_pool(self, pool: Pool) -> None:
-        """The first try of each. The others come later, alone: here they would meet the same busy machine."""
+        """Judge each answer once. Later tries come alone, because here they would compete with the same answers."""
         jobs = self._jobs[pool].values()
         for job, judgement in judge_all(
             jobs, pool.slots, soak=pool.soak, isolation=self._isolation, fills=True
@@ -170,7 +171,7 @@ class Proofs:
         self._note(key, judgement, self._tries.get(key, 0) + 1)
 
     def _note(self, key: Key, judgement: Judgement, tries: int) -> None:
-        """Keep a judgement, and write down how the machine was (s)."""
+        """Store a judgment, and log how busy the machine was (s)."""
         self._judgements[key], self._tries[key] = judgement, tries
         seen = judgement.recording
         waits = (
@@ -192,9 +193,9 @@ class Proofs:
 
 
 def was_busy(judgement: Judgement) -> bool:
-    """Whether the machine kept the judge or the program waiting for long.
+    """Return whether the judge or the program had to wait for the machine.
 
-    Of 477 judgements in a run of all tests on two processors, the judge had to wait for more in five.
+    Of 477 judgments in a run of all tests on two CPUs, the judge had to wait longer in five.
     """
     seen = judgement.recording
     if judgement.inconclusive_reason or seen is None:

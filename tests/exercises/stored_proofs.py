@@ -1,8 +1,10 @@
-"""The recordings of the proofs: what the judge saw of each answer, kept to judge it again without running it.
+"""The proofs' recordings: stored, so that they can be judged again without running the answers.
 
-`python -m tests.exercises.stored_proofs` proves every answer that has no recording, or whose text has changed since,
-and keeps the recordings; options such as `-k 05_timers` go to pytest. Times are rounded to a microsecond, and paths of
-the machine are replaced. What the judge said is the same for all answers with the same seed, and is kept once.
+`python -m tests.exercises.stored_proofs` proves every answer that has no recording, or whose text has changed since. It
+stores the recordings, and passes options such as `-k 05_timers` to pytest.
+
+Times are rounded to a microsecond, and the machine's paths are replaced. All answers with the same seed get the same
+values from the judge, so these are stored once.
 """
 
 import json
@@ -24,40 +26,42 @@ FOLDER = Path(__file__).parent / "recordings"
 COMMAND = "python -m tests.exercises.stored_proofs"
 WANTED = "WORKBOOK_STORE_PROOFS"
 NOT_STORED = ROOT / "artifacts" / "proofs_not_stored.txt"
-"""Answers whose verdict needs what was seen on both clocks, so that one recording alone gives another one, and those
-whose recording is too large."""
+"""Lists the answers without a stored recording.
+
+Either their verdict needs both clocks, so that one recording alone would change it, or the recording is too large.
+"""
 LARGEST = 100_000
-"""Bytes of a file. Only programs that flood a topic need more."""
-DIGITS = 6  # of a second
+"""Bytes of a file. Only recordings of programs that flood a topic are larger."""
+DIGITS = 6  # digits of a second
 SAID_BY_PROGRAMS = ("value", "request", "response")
 Key = tuple[str, str]
 
 
 def is_wanted() -> bool:
-    """Whether this run keeps recordings."""
+    """Return whether this run stores recordings."""
     return bool(os.environ.get(WANTED))
 
 
 def path_of(key: Key) -> Path:
-    """Where the recording of an answer is kept."""
+    """Return the path of an answer's recording."""
     stem, name = key
     return FOLDER / stem / f"{name.removesuffix('.py').replace('/', '-')}.json.xz"
 
 
 def key_of(path: Path) -> Key:
-    """The answer whose recording a file holds."""
+    """Return the answer whose recording is in this file."""
     name = path.name.removesuffix(".json.xz")
     kind, _, rest = name.partition("-")
     return path.parent.name, f"{kind}/{rest}.py" if rest else name
 
 
 def stored() -> list[Path]:
-    """All files that are kept."""
+    """Return all stored files."""
     return sorted(FOLDER.glob("*/*.json.xz"))
 
 
 def load(path: Path) -> tuple[str, Recording]:
-    """The hash of the answer that was recorded, and its recording."""
+    """Return a stored recording, and the hash of the answer that it belongs to."""
     data = _read(path)
     recording = data["recording"]
     said = _script_in(recording)
@@ -68,7 +72,7 @@ def load(path: Path) -> tuple[str, Recording]:
 
 
 def store(key: Key, judgement: Judgement) -> None:
-    """Keep the recording, if it gives the same verdicts without what was seen on the other clock."""
+    """Store the recording if it gives the same verdicts without the other clock's recording."""
     assert judgement.recording is not None
     path = path_of(key)
     data = _without_paths(_rounded(judgement.recording.to_json()))
@@ -84,18 +88,18 @@ def store(key: Key, judgement: Judgement) -> None:
 
 
 def _script_of(stem: str, recording: dict[str, Any]) -> Path:
-    """Where the values are kept that the judge publishes with the seed of a recording, in their order."""
+    """Return the path of the values that the judge publishes for a recording's seed, in their order."""
     seed = recording.get("seed")
     return FOLDER / stem / ("script.xz" if seed is None else f"script_{seed}.xz")
 
 
 def _script_in(recording: dict[str, Any]) -> list[dict[str, Any]]:
-    """What the judge said, and what it would still have said when the watch ended."""
+    """Return what the judge published, and what it would still have published when the watch ended."""
     return [*recording.get("said", []), *recording.get("unsaid", [])]
 
 
 def _leave_out_the_script(stem: str, recording: dict[str, Any]) -> None:
-    """Take the values that the judge said out of a recording, as far as they are those that are kept for its seed."""
+    """Remove the judge's values from a recording if they match those stored for its seed."""
     said = _script_in(recording)
     path = _script_of(stem, recording)
     kept = _read(path) if path.is_file() else []
@@ -122,7 +126,7 @@ def _verdicts(judgement: Judgement) -> list[tuple[str, str, str | None]]:
 
 
 def _rounded(value: Any) -> Any:
-    """The recording with its times rounded; what programs published stays as it is."""
+    """Return the recording with rounded times. The programs' messages stay unchanged."""
     if isinstance(value, float):
         return round(value, DIGITS)
     if isinstance(value, list):
@@ -133,7 +137,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _without_paths(data: Any) -> Any:
-    """The recording, with the paths of a student's machine for those of this one."""
+    """Return the recording with this machine's paths replaced by those of a student's machine."""
     text = json.dumps(data)
     for mine, theirs in ((str(ROOT), "/home/student/rclpy-workbook"), (sys.base_prefix, "/usr")):
         text = re.sub(rf"(?<![\w/.-]){re.escape(mine)}(?![\w.-])", theirs, text)
@@ -141,7 +145,7 @@ def _without_paths(data: Any) -> Any:
 
 
 def stale(tests: list[tuple[str, Key]]) -> list[str]:
-    """The tests of answers that have no recording, or one of another text."""
+    """Return the tests of answers that have no recording, or only one of an older text."""
     from tests.exercises.proofs import answer_of
 
     def is_kept(key: Key) -> bool:
@@ -152,7 +156,7 @@ def stale(tests: list[tuple[str, Key]]) -> list[str]:
 
 
 def main() -> int:
-    """Prove what has no recording of its present text, and keep the recordings. Returns pytest's exit code."""
+    """Prove the answers without a current recording, and store their recordings. Return pytest's exit code."""
     from tests.exercises.test_proofs import tests_of_answers
 
     for path in stored():

@@ -1,4 +1,4 @@
-"""Reading what students hand in: programs of any encoding, notebooks of any state, and files that are neither."""
+"""Read what students hand in: programs in any encoding, notebooks in any state, and files that are neither."""
 
 import json
 import os
@@ -255,7 +255,7 @@ def test_the_same_program_has_the_same_sum_in_every_wrapping(program: Path, note
     assert sums == {Answer("x = 1\n").sha256}
 
 
-# --- what a file says of itself -----------------------------------------------------------------------------------
+# --- what a file says about itself -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -308,7 +308,7 @@ def test_the_domains_that_a_program_may_stand_on_are_found() -> None:
     assert domains_named("rclpy.init()\nself.create_timer(2, self.tick)\n") == frozenset()
 
 
-# --- other kinds of files, and cells that are nearly answers ------------------------------------------------------
+# --- other kinds of files, and cells that are almost answers -----------------------------------------------------
 
 
 @pytest.mark.parametrize(

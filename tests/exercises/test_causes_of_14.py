@@ -1,4 +1,4 @@
-"""Exercise 14 on a recording of a right answer with one fault: it costs what the table says for it."""
+"""Exercise 14 on a recording of a right answer with one fault, which loses what the table says."""
 
 import math
 from collections.abc import Callable
@@ -18,7 +18,7 @@ Value = dict[str, Any]
 
 
 def lost(change: Callable[[int, Value], Value]) -> dict[str, str]:
-    """What is not passed, and why, where each answer is changed: its number and its fields."""
+    """Change each answer, given its number and fields. Return the criteria that don't pass, with their causes."""
     seen = right(STEM)
     topic = seen.topic(FILTERED)
     arrivals = tuple(
@@ -103,7 +103,7 @@ class TestTheMessagesThatTheJudgeSends:
             *range(settled, GIVEN["STANDS"]),
             *range(
                 restart + settled, GIVEN["RESTART_AGAIN"] - 4
-            ),  # answers just before a restart may be mixed
+            ),  # answers just before a restart may contain samples from before and after it
         }
 
     def test_neither_nanosec_alone_nor_rising_stamps_show_a_restart(self) -> None:

@@ -1,4 +1,4 @@
-"""Exercise 15 on recordings made by hand: one fault costs what the table says for it."""
+"""Exercise 15 on recordings made by hand: one fault loses what the table says."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -21,11 +21,11 @@ IMAGE, DIRECTION = "/camera/image", "/robot/ball_direction"
 LOG = "\n".join(f"[ERROR] [tracker]: cannot read {name}" for name in NAMES["REFUSED"])
 Vector = tuple[float, float, float]
 Message = tuple[float, int, Vector]
-"""When it came (s), the place of the picture with its stamp, and its direction."""
+"""When it arrived (s), the index of the image with its stamp, and its direction."""
 
 
 def right_ones() -> list[Message]:
-    """The direction of the ball for each picture that can be read."""
+    """Return the ball's direction in each readable image."""
     return [
         (SENT[place] + 0.02, place, SHOWN.balls.get(place, (0.0, 0.0, 0.0)))
         for place in sorted(SHOWN.readable)
@@ -51,7 +51,7 @@ def recording(messages: Sequence[Message]) -> Recording:
 
 
 def lost(messages: Sequence[Message]) -> dict[str, str]:
-    """What is not passed, and why."""
+    """Return the criteria that don't pass, with their causes."""
     results = run_criteria(CRITERIA, recording(messages))
     return {one.id: one.cause or one.status for one in results if one.status != "passed"}
 
@@ -61,7 +61,7 @@ def test_a_good_recording_gets_full_marks() -> None:
 
 
 def ten_a_second(first: int) -> list[Message]:
-    """A timer answers the newest picture."""
+    """Answer only every third image, as a timer that uses the newest image would."""
     return [one for one in right_ones() if one[1] % 3 == first]
 
 

@@ -1,4 +1,4 @@
-"""Exercise 16 on recordings made by hand: a good one, and causes that no wrong answer reaches."""
+"""Exercise 16 on recordings made by hand: a good one, and causes that no wrong answer triggers."""
 
 import random
 from collections.abc import Callable, Iterable, Sequence
@@ -16,7 +16,7 @@ from workbook.recording.recording import Arrival, Published, Recording, Subscrib
 CRITERIA = {one.id: one for one in load_exercise("16_ai_model", course_folder()).criteria}
 NAMES: dict[str, Any] = CRITERIA["survives"].judge.__globals__
 SEED = 1
-"""Of a run in which the robot falls after the second glare."""
+"""The seed of a run in which the robot falls after the second glare."""
 RUN = NAMES["drawn"](SEED)
 SENT = [0.5 + place / 30 for place in range(NAMES["PICTURES"])]
 FELT = [0.5 + number / 50 for number in range(len(RUN.samples))]
@@ -28,7 +28,7 @@ Message = tuple[float, Any]
 
 
 def markers(place: int) -> dict[str, Any]:
-    """All toys of a picture, with its stamp."""
+    """Return markers for all toys of an image, with its stamp."""
     sec, nanosec = RUN.views[place].stamp
     header = {"stamp": {"sec": sec, "nanosec": nanosec}, "frame_id": ""}
     toys = RUN.toys[place]
@@ -41,7 +41,7 @@ def markers(place: int) -> dict[str, Any]:
 
 
 def found(age: float = 0.21, until: float = 12.0) -> list[Message]:
-    """A message every 0.2 s, with what was in the picture of `age` seconds before."""
+    """Return a message every 0.2 s, with the toys of the image from `age` seconds before."""
     made = []
     for number in range(56):
         at = 1.0 + 0.2 * number
@@ -52,7 +52,7 @@ def found(age: float = 0.21, until: float = 12.0) -> list[Message]:
 
 
 def beats(error_at: float | None = FALLEN + 0.1, until: float = 12.2, period: float = 0.1) -> list[Message]:
-    """The status, as a heartbeat."""
+    """Return the status as a heartbeat."""
     times = [period * (n + 1) for n in range(round(until / period))]
     return [
         (at, {"data": "error" if error_at is not None and at >= error_at else "operational"}) for at in times
@@ -164,42 +164,42 @@ CASES: list[tuple[str, str, Callable[[], Recording]]] = [
 
 
 def hurried(each: int, sooner: float) -> list[Message]:
-    """Every so many messages, one comes sooner."""
+    """Make one of every `each` messages arrive sooner."""
     return [
         (at - (sooner if number % each == 2 else 0.0), value) for number, (at, value) in enumerate(found())
     ]
 
 
 def rare_from(moment: float, each: int) -> list[Message]:
-    """From this moment on, only one of so many messages comes."""
+    """From this moment on, keep only one of every `each` messages."""
     return [one for number, one in enumerate(found()) if one[0] < moment or number % each == 0]
 
 
 def toyless(place: int) -> dict[str, Any]:
-    """One marker without a label, for a picture."""
+    """Return one marker without a label, for an image."""
     return {"markers": [{**markers(place)["markers"][0], "ns": ""}]}
 
 
 def stamped_once(message: dict[str, Any]) -> dict[str, Any]:
-    """The markers of a message, only the first of them with a stamp."""
+    """Remove the stamp from all markers of a message except the first."""
     first, *others = message["markers"]
     nothing = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
     return {"markers": [first, *({**one, "header": nothing} for one in others)]}
 
 
 def markers_of(stamped: int, shown: int) -> dict[str, Any]:
-    """The toys of one picture, with the stamp of another."""
+    """Return the toys of one image with the stamp of another."""
     header = markers(stamped)["markers"][0]["header"]
     return {"markers": [{**one, "header": header} for one in markers(shown)["markers"]]}
 
 
 def all_bricks(message: dict[str, Any]) -> dict[str, Any]:
-    """The markers of a message, each with the label of a brick."""
+    """Label each marker of a message as a brick."""
     return {"markers": [{**one, "ns": "brick"} for one in message["markers"]]}
 
 
 def flipped(message: dict[str, Any]) -> dict[str, Any]:
-    """The markers of a message, upside down."""
+    """Turn the markers of a message upside down."""
     turned = []
     for one in message["markers"]:
         place = one["pose"]["position"]
@@ -217,7 +217,7 @@ def test_a_cause(cause: str, criterion: str, make: Callable[[], Recording]) -> N
 @pytest.mark.parametrize("lag", [4, 6, 7])
 @pytest.mark.parametrize("blur", [0.0, 1.5])
 def test_the_header_of_a_later_picture_costs_the_point_for_stamps_alone(lag: int, blur: float) -> None:
-    """The model takes 0.2 s, and the header is that of the newest picture when it returns."""
+    """The model takes 0.2 s, and the header comes from the image that is newest when the model returns."""
     dice = random.Random(lag)
     made = []
     for number in range(8, 52):
@@ -249,7 +249,7 @@ def test_without_stamps_freshness_is_not_judged() -> None:
 
 
 def test_a_fall_that_waits_for_the_model_is_told_apart() -> None:
-    """The status comes right after each message with detections: one thread serves both."""
+    """The status follows right after each message with detections, because one thread serves both."""
     after = [(at + 0.005, {"data": "error" if at > FALLEN + 0.7 else "operational"}) for at, _ in found()]
     seen = recording(status=after)
     assert judged("heartbeat_kept", seen).cause == "heartbeat-kept.waits-for-the-model"
@@ -264,14 +264,14 @@ def test_a_program_that_ended_before_the_fall_is_not_blamed_for_it() -> None:
 
 
 def test_who_never_reached_the_glare_is_not_blamed_for_what_it_brings() -> None:
-    """A queue that grows: by the end, the pictures of the first seconds are answered."""
+    """With a growing queue, the program is still answering images from the first seconds when the watch ends."""
     behind = [(1.0 + 0.2 * number, markers(number)) for number in range(55)]
     assert judged("survives", recording(behind, log="")).cause == "survives.not-seen"
     assert judged("fresh", recording(behind)).cause == "fresh.queue-grows"
 
 
 def test_the_heartbeat_of_a_program_that_ended_counts_until_its_end() -> None:
-    """The end is noticed late on a busy machine."""
+    """On a busy machine, the judge notices the end late."""
     seen = recording(status=beats(until=4.0))
     ended = replace(seen, process=ended_by_itself(), wanted=(STATUS, DETECTIONS))
     cut = {**ended.topics, DETECTIONS: on(DETECTIONS, "visualization_msgs/msg/MarkerArray", found(until=3.9))}
@@ -282,7 +282,7 @@ STANDS_AT, STANDS_S = 4.0, 0.9
 
 
 def held_up(seen: Recording) -> Recording:
-    """The recording of a machine on which everything stood still once, for so long."""
+    """Delay everything after a moment, as if the whole machine had stood still once."""
 
     def late(at: float) -> float:
         return at if at < STANDS_AT else at + STANDS_S
@@ -305,7 +305,7 @@ def test_a_machine_that_stood_still_costs_a_right_answer_nothing() -> None:
 
 
 def test_a_program_that_stands_still_alone_loses() -> None:
-    """The judge went on sending."""
+    """Only the program stood still: the judge went on publishing."""
     still = held_up(recording())
     alone = replace(still, published=recording().published)
     assert judged("heartbeat_kept", alone).cause == "heartbeat-kept.held-up"

@@ -1,4 +1,4 @@
-"""Exercises 14 to 16, on recordings of right answers that are cut: the program ends early, or the watch does."""
+"""Exercises 14 to 16 on shortened recordings of right answers: the program ends early, or the watch does."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ ENDED = "ended"
 
 
 def cut(recording: Recording, share: float) -> Recording:
-    """What the watch had seen after this share of its script."""
+    """Return the recording as if the watch had ended after this share of its script."""
     until = share * recording.published[-1].t
     topics = {
         name: replace(
@@ -35,7 +35,7 @@ def cut(recording: Recording, share: float) -> Recording:
 
 
 def ended(recording: Recording, share: float) -> Recording:
-    """The program has left by itself, with exit code 0."""
+    """Return the process as if the program had ended by itself, with exit code 0."""
     seen = cut(recording, share)
     end = max(arrival.wall for topic in seen.topics.values() for arrival in topic.arrivals) + 0.05
     topics = {

@@ -1,4 +1,4 @@
-"""The readings of exercise 04: what its criteria and causes count on is in every draw."""
+"""Exercise 04's readings: every draw has the properties that its criteria and causes rely on."""
 
 import math
 from itertools import pairwise
@@ -17,7 +17,7 @@ CRITERIA = EXERCISE.criteria[-1].judge.__globals__
 
 
 def lines(exercise: Exercise) -> tuple[list[tuple[float, float]], list[float]]:
-    """The readings with their times (s), and those of the other robot."""
+    """Return the readings with their times (s), and the other robot's readings."""
     ours, others = exercise.plan.script.parts
     assert isinstance(ours, Publishes) and isinstance(others, Publishes)
     return [(one.at, one.value["data"]) for one in ours.lines], [one.value["data"] for one in others.lines]
@@ -25,7 +25,7 @@ def lines(exercise: Exercise) -> tuple[list[tuple[float, float]], list[float]]:
 
 @pytest.fixture(params=range(SEEDS))
 def sent(request: pytest.FixtureRequest) -> Any:
-    """The readings of one draw, as the criteria see them."""
+    """Return the readings of one draw, in the form that the criteria use."""
     readings, others = lines(EXERCISE.drawn(request.param))
     return CRITERIA["Readings"](
         tuple(value for _, value in readings), tuple(at for at, _ in readings), tuple(others)

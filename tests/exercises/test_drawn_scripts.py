@@ -1,4 +1,4 @@
-"""Scripts that are drawn for each run: what is the same in each draw, and what is not."""
+"""Scripts that are drawn for each run: what stays the same in each draw, and what changes."""
 
 from dataclasses import replace
 
@@ -14,7 +14,7 @@ DRAWN = tuple(stem for stem in STEMS if not isinstance(load_exercise(stem, ROOT)
 
 
 def shape(part: Part) -> Part:
-    """What a program may rely on: names, types and QoS."""
+    """Return what a program may rely on: names, types, and QoS."""
     return replace(part, replies=()) if isinstance(part, Serves) else replace(part, lines=())
 
 

@@ -1,4 +1,4 @@
-"""Exercise 10: whatever is drawn, each kind of mistake is told by its own cause. No program runs here."""
+"""Exercise 10: for every draw, each kind of mistake gets its own cause. No program runs here."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -20,7 +20,7 @@ planned: Callable[[float], float] = JUDGED["planned"]
 formula: Callable[[float], float] = JUDGED["bend_for"]
 SEEDS = 60
 Event = tuple[float, float]
-"""When (s) a distance (m) was requested; or a plan published, and its bend (rad)."""
+"""When (s) a distance (m) was requested; or when a plan was published, and its bend (rad)."""
 Waiting = list[float]
 
 
@@ -38,7 +38,7 @@ def served(
     accept: Callable[[Waiting, bool, float], bool] = lambda waiting, busy, distance: True,
     takes_s: float = PLANNING_S + 0.005,
 ) -> list[Event]:
-    """The plans of one worker, which `take`s one of the distances (m) that wait, if they were `accept`ed before."""
+    """Return one worker's plans. It `take`s one of the waiting distances (m), if they were `accept`ed before."""
     plans: list[Event] = []
     waiting: Waiting = []
     free_at = 0.0
@@ -56,7 +56,7 @@ def served(
 
 
 def told(wrong: Callable[[list[Event]], Sequence[Event]], criterion: str) -> set[str]:
-    """The causes that this criterion names, over all draws; "" where it passes."""
+    """Return the causes that this criterion names, over all draws; "" if it passes."""
     causes = set()
     for seed in range(SEEDS):
         requests = requested(seed)
@@ -70,12 +70,12 @@ def told(wrong: Callable[[list[Event]], Sequence[Event]], criterion: str) -> set
 
 
 def sent_as(measure: Callable[[float], float]) -> Callable[[list[Event]], Sequence[Event]]:
-    """Searches for each request, and publishes another number for its distance (m)."""
+    """Plan for each request, but publish a number for another distance (m)."""
     return lambda requests: served(requests, measure)
 
 
 def later(plans: Sequence[Event]) -> list[Event]:
-    """Each plan in place of the next one."""
+    """Publish each plan one request too late."""
     return [(at, bend) for (at, _), bend in zip(plans, [0.0, *(bend for _, bend in plans)], strict=False)]
 
 
@@ -140,7 +140,7 @@ def unless_before(requests: list[Event]) -> list[Event]:
 
 
 def newest_alone(requests: list[Event]) -> list[Event]:
-    """One request waits, the one that came last."""
+    """Let only the newest request wait."""
 
     def accept(waiting: Waiting, busy: bool, distance: float) -> bool:
         waiting.clear()

@@ -1,4 +1,4 @@
-"""Exercise 11: whatever is drawn, each kind of mistake is told by its own cause. No program runs here."""
+"""Exercise 11: for every draw, each kind of mistake gets its own cause. No program runs here."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -18,7 +18,7 @@ CRITERIA = {one.id: one for one in EXERCISE.criteria}
 SEEDS = 60
 PROMPTLY_S = 0.002
 Touch = tuple[float, int]
-"""When (s) a touch came, and its number; or a report."""
+"""When (s) a touch came, and its number; or a report of it."""
 
 
 def touches(seed: int) -> list[Touch]:
@@ -34,13 +34,13 @@ def recording_of(said: Sequence[Touch], reports: Sequence[Touch]) -> Recording:
 
 
 def told(wrong: Callable[[list[Touch]], Sequence[Touch]], criterion: str) -> set[str]:
-    """The causes that this criterion names, over all draws; "" where it passes."""
+    """Return the causes that this criterion names, over all draws; "" if it passes."""
     drawn = [touches(seed) for seed in range(SEEDS)]
     return {CRITERIA[criterion](recording_of(said, wrong(said))).cause for said in drawn}
 
 
 def without(kept: Callable[[list[int], int], bool]) -> Callable[[list[Touch]], list[Touch]]:
-    """Reports the touches that are `kept`, given the numbers until then and the number of the touch."""
+    """Report only the touches for which `kept` is true, given the numbers before and the touch's number."""
 
     def reports(said: list[Touch]) -> list[Touch]:
         numbers = [number for _, number in said]
@@ -72,7 +72,7 @@ def by_number(said: list[Touch]) -> list[Touch]:
 
 
 def with_sums(said: list[Touch]) -> list[Touch]:
-    """After touches that came together, how many they were."""
+    """After touches in rapid succession, also report how many there were."""
     return [
         one
         for bunch in bunches(said)
@@ -89,7 +89,7 @@ def with_the_next(said: list[Touch]) -> list[Touch]:
 
 
 def polled(said: list[Touch]) -> list[Touch]:
-    """Five times a second, the last touch, where it is another one than before."""
+    """Five times a second, report the last touch if it has changed."""
     found: list[Touch] = []
     for look in range(1, 46):
         last = [number for at, number in said if at <= look / 5][-1:]

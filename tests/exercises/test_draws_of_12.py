@@ -1,4 +1,4 @@
-"""Exercise 12: whatever is drawn, each kind of mistake is told by its own cause. No program runs here."""
+"""Exercise 12: for every draw, each kind of mistake gets its own cause. No program runs here."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -24,7 +24,7 @@ NO_ANSWER = "no answer"
 
 @dataclass(frozen=True)
 class Asked:
-    """A call, when it was made (s), and its answer: when (s; None: never), what, and with which text."""
+    """A call (s) and its response: when it came (s; None if it never did), the result, and the text."""
 
     at: float
     answered: float | None
@@ -37,12 +37,12 @@ class Asked:
 
 
 Report = tuple[float, str]
-"""When (s) the program said which word."""
+"""When (s) the program published which word."""
 Reports = Callable[[list[Asked]], Sequence[Report]]
 
 
 def asked(seed: int) -> list[Asked]:
-    """The calls of a program that calls once a second, with their answers."""
+    """Return the calls of a program that calls once a second, with their responses."""
     [part] = EXERCISE.drawn(seed).plan.script.parts
     assert isinstance(part, Serves)
     return [
@@ -65,7 +65,7 @@ def call_seen(one: Asked) -> CallSeen:
 
 
 def cause_in(calls: list[Asked], said: Sequence[Report], criterion: str) -> str:
-    """The cause that this criterion names; "" where it passes."""
+    """Return the cause that this criterion names; "" if it passes."""
     end = EXERCISE.plan.wall_s
     words = sorted(((at + PROMPTLY_S, word) for at, word in said if at < end), key=itemgetter(0))
     health = on_topic("/robot/health", TEXT, [at for at, _ in words], [word for _, word in words])
@@ -75,7 +75,7 @@ def cause_in(calls: list[Asked], said: Sequence[Report], criterion: str) -> str:
 
 
 def told(wrong: Reports, criterion: str) -> set[str]:
-    """The causes that this criterion names, over all draws; "" where it passes."""
+    """Return the causes that this criterion names, over all draws; "" if it passes."""
     return {cause_in(calls, wrong(calls), criterion) for calls in map(asked, range(SEEDS))}
 
 
@@ -85,7 +85,7 @@ def reports(
     patience_s: float = GIVEN_UP_S,
     unanswered: str = NO_ANSWER,
 ) -> Reports:
-    """Reports an answer when it comes, or so much later, and gives a call up when its patience ends."""
+    """Report each response `after_s` seconds after it arrives, and give a call up after `patience_s` seconds."""
 
     def program(calls: list[Asked]) -> list[Report]:
         return [
@@ -123,7 +123,7 @@ def none_after_no_answer(calls: list[Asked]) -> list[Report]:
 
 
 def collected(calls: list[Asked]) -> list[Report]:
-    """Reports the answers every 3.5 s."""
+    """Report the responses every 3.5 s."""
     answers = [(3.5 * ((at + 0.2) // 3.5 + 1.0) - 0.2, word) for at, word in answers_only(calls)]
     return [*answers, *in_vain_only(calls)]
 
@@ -214,7 +214,7 @@ def test_a_program_stopped_by_the_first_bad_answer_has_called_too_seldom_in_each
 
 @pytest.mark.parametrize(("criterion", "share"), [("results_told", 0.9), ("unanswered_told", 0.5)])
 def test_what_was_said_in_one_run_is_wrong_in_most_others(criterion: str, share: float) -> None:
-    """Half of the draws have the calls without an answer at other places; most have other answers, too."""
+    """In half of the draws, other calls get no response. In most draws, the responses differ, too."""
     tables = [right(asked(SEEDS + n)) for n in range(20)]
     for table in tables:
         lost = [bool(cause_in(asked(seed), table, criterion)) for seed in range(SEEDS)]

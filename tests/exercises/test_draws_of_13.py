@@ -1,4 +1,4 @@
-"""Exercise 13: whatever is drawn, each kind of mistake is told by its own cause. No program runs here."""
+"""Exercise 13: for every draw, each kind of mistake gets its own cause. No program runs here."""
 
 import random
 from collections.abc import Callable, Sequence
@@ -25,7 +25,7 @@ PROMPTLY_S = 0.002
 
 
 class Dashboard:
-    """The solution, without ROS: `now` is the time (s). Its subclasses make one mistake each."""
+    """The solution without ROS: `now` is the time (s). Each subclass makes one mistake."""
 
     limit_s, look_s = 2.0, 0.2
     latched = True
@@ -189,7 +189,7 @@ class ForEver(Dashboard):
 
 
 class ThirtyBeats(Dashboard):
-    """Thirty beats end an alarm, and there are not so many."""
+    """An alarm ends after thirty beats, but a run has fewer."""
 
     beats = 0
 
@@ -236,7 +236,7 @@ class StatusEndsTheAlarm(Dashboard):
 
 
 def watched(wrong: type[Dashboard], seed: int) -> Recording:
-    """What such a program does in one run. Its timers begin at some moment, another one for each seed."""
+    """Return the recording of such a program in one run. Its timers start at a moment that depends on the seed."""
     phases = random.Random(seed)
     status, heart = EXERCISE.drawn(seed).plan.script.parts
     assert isinstance(status, Publishes) and isinstance(heart, Publishes)
@@ -276,7 +276,7 @@ def unzipped(pairs: Sequence[tuple[float, object]]) -> tuple[list[float], list[o
 
 
 def told(wrong: type[Dashboard]) -> dict[str, set[str]]:
-    """The causes that each criterion of status and alarm names, over all draws; only those that fail in one of them."""
+    """Return each failing criterion of status and alarm, with the causes that it names over all draws."""
     runs = [watched(wrong, seed) for seed in range(SEEDS)]
     causes = {criterion: {CRITERIA[criterion](run).cause for run in runs} for criterion in JUDGED_HERE}
     return {criterion: some for criterion, some in causes.items() if some != {""}}
@@ -322,7 +322,7 @@ ALSO: dict[type[Dashboard], set[str]] = {FollowsStatus: {"no_false_alarm"}}
 
 @pytest.mark.parametrize("wrong", [*STATUS, *ALARM])
 def test_a_mistake_is_told_in_each_draw(wrong: type[Dashboard]) -> None:
-    """Its own criterion names its cause; those that need this one are skipped then."""
+    """The mistake's own criterion names its cause. Criteria that need this criterion are skipped."""
     [(criterion, cause)] = {**STATUS, **ALARM}[wrong].items()
     causes = told(wrong)
     assert causes.pop(criterion) == {cause}
@@ -351,4 +351,4 @@ def test_most_statuses_last_until_a_line_must_show_them(seed: int) -> None:
     begins = [*(max(0.0, line.at) for line in status.lines), EXERCISE.plan.wall_s]
     lasting = [end - begin >= LASTS_S for begin, end in pairwise(begins)]
     assert sum(lasting) >= 5 and all(lasting[-2:])
-    assert begins[1] >= 1.6  # lines have shown the status from before the start
+    assert begins[1] >= 1.6  # before that, lines may show the status from before the start

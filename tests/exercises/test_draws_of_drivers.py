@@ -1,4 +1,4 @@
-"""What the drivers of 03, 06, and 07 are told: what their criteria and causes count on is in every draw."""
+"""The inputs of the drivers of 03, 06, and 07: every draw has the properties that criteria and causes rely on."""
 
 from collections import Counter
 from itertools import pairwise
@@ -12,7 +12,7 @@ from workbook.recording.script import Publishes
 
 
 def words(exercise: str, seed: int, topic: str) -> list[Any]:
-    """What the judge says on a topic in one draw."""
+    """Return what the judge publishes on a topic in one draw."""
     parts = load_exercise(exercise, ROOT).drawn(seed).plan.script.parts
     [part] = [one for one in parts if isinstance(one, Publishes) and one.topic == topic]
     return [line.value["data"] for line in part.lines]

@@ -1,4 +1,7 @@
-"""A driver and the criteria of its exercise share topics, words and times, and no module: the driver stands alone."""
+"""A driver and its exercise's criteria share topics, words, and times.
+
+They can't share a module, because the driver must work without the workbook.
+"""
 
 import ast
 import re
@@ -13,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 DRIVERS = sorted((ROOT / "exercises" / "drivers").glob("*.py"))
 TOPIC = re.compile(r"/driver/\w+")
 
-# What a driver reports, as far as its criteria tell one report from another by it.
+# The parts of a driver's reports by which the criteria distinguish them.
 WORDS = {
     "03_publishers_and_messages": ("done", "made", "not made: ", "call ", "returned", "raised"),
     "06_spinning": ("missing", "end", "raised"),
@@ -22,7 +25,7 @@ WORDS = {
 
 
 def tree_of(path: Path) -> ast.Module:
-    """The program without its docstrings."""
+    """Parse the program, and remove its docstrings."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     for node in ast.walk(tree):
         if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
@@ -39,7 +42,7 @@ def strings(tree: ast.Module) -> list[str]:
 
 
 def constants(tree: ast.Module) -> Iterator[tuple[str, object]]:
-    """Name and value of the numbers that a file defines."""
+    """Return the name and value of each number that a file defines."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
             for target in node.targets:

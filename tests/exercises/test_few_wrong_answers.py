@@ -1,4 +1,4 @@
-"""The wrong answers of `make test` are few, and break every criterion of every exercise."""
+"""The wrong answers of `make test` are few, but they break every criterion of every exercise."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from workbook.authoring.wrong_answers import read_header
 from workbook.exercise.definition import load_exercise
 
 BY_STARTERS = {"program_runs", "answers_come"}
-"""In 10 to 16 only a starter, or a crash, loses one of these: the crash is the same in all exercises."""
+"""In 10 to 16, only a starter or a crash loses one of these. A crash is the same in all exercises."""
 
 
 @pytest.mark.parametrize("stem", STEMS)

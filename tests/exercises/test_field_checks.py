@@ -1,4 +1,4 @@
-"""A value that arrives garbled: the program runs once more with field checks on, and the feedback quotes them."""
+"""If a value arrives garbled, the program runs again with field checks, and the feedback quotes their error."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -118,7 +118,7 @@ def test_an_int_is_run_again_and_quoted(exercise: Exercise, observer: Observer) 
     assert recording is not None
     assert len(recording.notes) == 1
     assert COMPLAINT in because(judgement)
-    # The rest of the recording is that of the first run: stock ROS, and the end that was asked for.
+    # The rest comes from the first run: without field checks, and with the end that the judge requested.
     assert recording.process.ended_by == "judge"
     assert COMPLAINT not in recording.process.log
     stored = Recording.from_json(recording.to_json())

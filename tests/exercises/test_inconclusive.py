@@ -1,4 +1,4 @@
-"""Which judgements are inconclusive: those that take points away for what may be no fault of the answer."""
+"""Inconclusive judgments: those that take points away for something that may not be the answer's fault."""
 
 import os
 import subprocess
@@ -136,7 +136,7 @@ def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
 
 
 def one_late(recording: Recording, topic: str, which: slice, late_s: float) -> Recording:
-    """The recording, as if on the wall clock, with some messages of a topic later than they were."""
+    """Return the recording as if on the wall clock, with some messages of a topic delayed."""
     arrivals = list(recording.topic(topic).arrivals)
     arrivals[which] = [replace(arrival, t=arrival.t + late_s) for arrival in arrivals[which]]
     late = replace(recording.topic(topic), arrivals=tuple(arrivals))
@@ -165,7 +165,7 @@ def test_a_long_pause_is_no_late_message_unless_the_machine_kept_it() -> None:
 
 
 class Stumbling:
-    """A watch whose pauses last much longer than asked for, as on a machine that gives it no processor."""
+    """A watch whose pauses last much longer than requested, as on a machine without a free CPU."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
         original = wall_time.sleep
@@ -212,7 +212,7 @@ def test_a_criterion_may_blame_the_machine() -> None:
 
 
 def test_how_long_a_process_stood_in_line() -> None:
-    """Two that want the same processor all the time have half of it each."""
+    """Two processes that compete for one CPU get half of it each."""
     [core, *_] = os.sched_getaffinity(0)
     greedy = [
         sys.executable,
@@ -270,7 +270,7 @@ TO_THE_END = load_exercise("08_humanoid_status_publisher", ROOT)
 def doubt_of_end(
     cause: str = "exits-cleanly.exit-code", rate_lost: bool = False, **changes: Any
 ) -> InconclusiveReason:
-    """The doubt about a program that lost the points for its end, and those for a rate where asked for."""
+    """Return the doubt about a program that lost the points for its end, and, on request, those for a rate."""
     recording = replace(stored("solution"), **changes)
     rate = CriterionResult("rate", "Its rate", "failed", 0.0, 2.0, False, "1 Hz", "2 Hz", "", "")
     ended = replace(rate, id="ends_cleanly", cause=cause, about_end=True)
@@ -298,7 +298,7 @@ def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt_about_the_end(
 
 
 def test_a_crash_at_ctrl_c_excuses_no_other_criterion() -> None:
-    """What the program published before that is as conclusive as ever, and the crash costs it nothing there."""
+    """What the program published before Ctrl-C stays conclusive, and the crash loses no points there."""
     crashed = replace(stored("eleven_values").process, exit=None, ended_by="judge", signal="SIGSEGV")
     assert inconclusive_reason(replace(stored("eleven_values"), process=crashed)) == ""
     assert doubt_of_end("exits-cleanly.crashed", rate_lost=True, process=crashed).end_only
@@ -349,8 +349,8 @@ def test_a_live_crash_at_ctrl_c_leaves_no_doubt_where_the_end_is_not_judged() ->
     assert "crashed" not in judgement.inconclusive_reason and not judgement.end_only
 
 
-# The first start of it meets the race of rclpy: the context goes down between the question and the shutdown. So that it
-# is up until then, rclpy does not handle Ctrl-C in that start; Python does.
+# Its first start hits rclpy's race: the context shuts down between the check and the shutdown. To keep the context up
+# until then, Python handles Ctrl-C in that start, not rclpy.
 OVERTAKEN_ONCE = """
 import linecache, os, sys
 from rclpy.signals import SignalHandlerOptions
@@ -384,7 +384,7 @@ def test_a_right_answer_whose_end_rclpy_has_spoiled_once_gets_full_marks(tmp_pat
     provisional: list[Judgement] = []
     with Observer() as observer:
         judgement = until_sure(lambda: Judge(observer).judge(exercise, answer), provisional.append)
-    # A busy machine may disturb another try besides.
+    # A busy machine may make another try inconclusive, too.
     [spoiled] = [one for one in provisional if "overtaken" in one.inconclusive_reason]
     assert END_OVERTAKEN in {one.cause for one in spoiled.criteria if one.status == "failed"}
     assert judgement.full_marks and not judgement.inconclusive_reason, as_text(judgement)
@@ -411,7 +411,7 @@ def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
 
 
 def test_the_judge_keeps_off_the_domain_that_an_answer_names() -> None:
-    """By chance it may stand there already, and would take a node on a wrong domain for a right one."""
+    """If the judge happened to be on that domain, it would accept a node on a wrong domain."""
     wrong = wrong_program("domain_argument")
     with Observer(lease_domain(30)) as observer:
         judgement = Judge(observer).judge(EXERCISE, Answer(wrong))

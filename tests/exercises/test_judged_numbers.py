@@ -1,4 +1,4 @@
-"""The numbers in a task are the judge's: filled in where they are written as numbers, and compared where as words."""
+"""The numbers in a task are the judge's: digits are filled in, and number words are compared."""
 
 from pathlib import Path
 
@@ -15,17 +15,17 @@ ROOT = course_folder()
 
 
 def exercise(number: str) -> Exercise:
-    """An exercise by its two digits."""
+    """Load an exercise by its two digits."""
     return load_exercise(number, ROOT)
 
 
 def task(number: str) -> str:
-    """The text of a task as a student reads it, in one line."""
+    """Return the text of a task as a student reads it, as one line."""
     return folded(task_text(exercise(number).source))
 
 
 def written(tmp_path: Path, sentence: str) -> Path:
-    """The source of exercise 05 with one more sentence in its task."""
+    """Return the source of exercise 05 with one more sentence in its task."""
     text = (ROOT / "solutions" / "05_timers.py").read_text(encoding="utf-8")
     path = tmp_path / "05_timers.py"
     path.write_text(text.replace("\n# %% [answer]", f"\n# {sentence}\n\n# %% [answer]", 1), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Judging stored recordings: the same verdicts every time, in every process."""
+"""Judge stored recordings: the verdicts are the same every time, in every process."""
 
 import json
 from dataclasses import replace
@@ -109,7 +109,7 @@ def test_broken_criteria_are_named(criteria: str | None, words: str, tmp_path: P
 
 
 def calls_of_publish_level(delay: float) -> Recording:
-    """What a right answer of exercise 03 shows; every number arrives `delay` seconds after it was published."""
+    """Record a right answer of exercise 03. Every number arrives `delay` seconds after it was published."""
     exercise = load_exercise("03_publishers_and_messages", ROOT)
     number_in = exercise.criteria[-1].judge.__globals__["number_in"]
     [part] = exercise.plan.script.parts

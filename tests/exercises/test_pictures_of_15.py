@@ -1,4 +1,4 @@
-"""The pictures that exercise 15 is judged by: drawn for each run, and with all that its criteria ask for in each."""
+"""The images for exercise 15: drawn for each run, and always with everything that the criteria require."""
 
 import math
 from functools import cache
@@ -14,20 +14,20 @@ from workbook.exercise.definition import load_exercise
 
 STEM = "15_camera"
 EVERY = 3
-"""Of thirty pictures a second, ten are enough."""
+"""Check only every third image: ten of the thirty per second are enough."""
 NEAR_PIXELS = 25.0
-"""So near to the last ball searches the wrong answer that searches near it."""
+"""The search radius of the wrong answer that searches only near the last ball."""
 
 
 @cache
 def judge() -> dict[str, Any]:
-    """The names of the criteria file."""
+    """Return the names that the criteria file defines."""
     return load_exercise(STEM, course_folder()).criteria[-1].judge.__globals__
 
 
 @pytest.fixture(params=range(SEEDS))
 def pictures(request: pytest.FixtureRequest) -> Any:
-    """The pictures of one run."""
+    """Return the images of one run."""
     return judge()["drawn"](request.param)
 
 
@@ -54,7 +54,9 @@ def test_all_kinds_come_and_in_an_order_that_tells_mistakes_apart(pictures: Any)
     nothing = judge()["NOTHING"].words
     assert len(pictures.views) == judge()["PICTURES"] and f"{len(pictures.views)} images" in nothing["saw"]
     assert f"{len(pictures.readable)} readable images" in nothing["expected"]
-    assert len(pictures.without_ball) <= 36  # who is silent there still keeps up
+    assert (
+        len(pictures.without_ball) <= 36
+    )  # a program that publishes nothing for these images still keeps up
     first = pictures.first_other
     assert pictures.views[0].encoding == "rgb8" and pictures.views[first - 1].encoding == "bgr8"
     for kind in (pictures.in_good_light, pictures.in_dim_light, pictures.in_bgr, pictures.without_ball):

@@ -1,5 +1,8 @@
-"""What exercise 16 is judged by, in each of twenty runs: the given model is right in every picture, and raises in glare
-alone; the robot jolts, leans and falls as the task tells."""
+"""The inputs for exercise 16, in each of twenty runs.
+
+The given model is right about every image, and raises only in glare. The robot jolts, leans, and falls as the task
+says.
+"""
 
 from functools import cache
 from typing import Any
@@ -17,12 +20,12 @@ from workbook.models.slow import SlowDetector
 
 STEM = "16_ai_model"
 EVERY = 10
-"""Of thirty pictures a second, three are enough: the runs differ."""
+"""Check only every tenth image. Three per second are enough, because the runs differ."""
 
 
 @cache
 def judge() -> dict[str, Any]:
-    """The names of the criteria file."""
+    """Return the names that the criteria file defines."""
     return load_exercise(STEM, course_folder()).criteria[-1].judge.__globals__
 
 
@@ -33,12 +36,12 @@ def model() -> DeskDetector:
 
 @pytest.fixture(params=range(SEEDS))
 def run(request: pytest.FixtureRequest) -> Any:
-    """What a program is shown in one run."""
+    """Return what a program receives in one run."""
     return judge()["drawn"](request.param)
 
 
 def pixels(run: Any, place: int) -> npt.NDArray[np.uint8]:
-    """A picture as the camera sends it: BGR."""
+    """Return an image's pixels as the camera sends them: BGR."""
     fields = camera_image(run.views[place])
     return np.frombuffer(fields["data"], np.uint8).reshape(fields["height"], fields["width"], 3)
 
@@ -74,11 +77,11 @@ def test_it_raises_in_glare_and_in_no_other_picture(run: Any, monkeypatch: pytes
             continue
         with pytest.raises(RuntimeError, match=r"^glare: "):
             slow(pixels(run, place)[:, :, ::-1])
-    assert len(run.in_glare) == 36  # the task tells: for 1.2 s
+    assert len(run.in_glare) == 36  # the task says: for 1.2 s
 
 
 def tilts(run: Any) -> list[float]:
-    """How far each sample says that the robot is tilted (°)."""
+    """Return how far the robot is tilted (°) according to each sample."""
     ups = [sample["linear_acceleration"] for _, sample in run.samples]
     return [float(np.degrees(np.arctan2(np.hypot(up["x"], up["y"]), up["z"]))) for up in ups]
 

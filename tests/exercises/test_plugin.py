@@ -1,4 +1,4 @@
-"""The pytest plugin: the criteria as tests, on a stored recording or on an answer that it runs."""
+"""The pytest plugin: the criteria as tests, on a stored recording or on an answer that the plugin runs."""
 
 import os
 import re

@@ -1,7 +1,7 @@
-"""Every exercise proves itself: starter, solution, right answers and wrong answers go through the real judge.
+"""Every exercise proves itself: starter, solution, right answers, and wrong answers go through the real judge.
 
-What is judged on the wall clock goes first, then what is judged on simulated time. Nothing else runs meanwhile (see
-`tests/conftest.py`). `make test` leaves the right answers to the whole run, and all wrong ones but a few.
+Exercises on the wall clock go first, then those on simulated time. Other tests wait until then (see
+`tests/conftest.py`). `make test` skips the right answers and most of the wrong ones, which only the whole run judges.
 """
 
 from collections.abc import Callable
@@ -15,20 +15,20 @@ from tests.exercises.tried_again import PROPERTY
 from workbook.authoring.wrong_answers import read_header
 
 ENOUGH = 50
-"""Answers of an exercise from which on a share of them tells something."""
+"""With fewer answers than this in an exercise, a share of them means little."""
 MOST_TRIED_AGAIN = 0.1
-"""Of the answers of an exercise. The aim is 2 %."""
+"""The largest accepted share of an exercise's answers. The aim is 2%."""
 KINDS = {
     "test_solution_gets_full_marks": SOLUTION,
     "test_starter_does_not_pass_and_says_what_is_missing": STARTER,
     "test_right_answer_gets_full_marks": "right",
     "test_wrong_answer_loses_what_it_must": "wrong",
 }
-"""Which answers a test of this file looks at."""
+"""The kind of answer that each test of this file judges."""
 
 
 def tests_of_answers() -> list[tuple[str, Key]]:
-    """Each test of this file that judges an answer, as pytest names it, and the answer."""
+    """Return each test of this file that judges an answer, by its pytest name, with the answer."""
     file = Path(__file__).relative_to(Path(__file__).parents[2])
     found = []
     for test, kind in KINDS.items():

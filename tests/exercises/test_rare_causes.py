@@ -1,4 +1,4 @@
-"""Causes that no wrong answer reaches, on recordings made by hand."""
+"""Causes that no wrong answer triggers, on recordings made by hand."""
 
 import math
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ FLOAT, TEXT, NUMBERS = "std_msgs/msg/Float32", "std_msgs/msg/String", "std_msgs/
 
 
 def judged(stem: str, criterion: str, recording: Recording) -> Verdict:
-    """One criterion of an exercise, whatever it needs."""
+    """Judge one criterion of an exercise, without the criteria that it needs."""
     return next(one for one in load_exercise(stem, ROOT).criteria if one.id == criterion)(recording)
 
 
@@ -31,7 +31,7 @@ def refused_for(cause: str, verdict: Verdict, *words: str) -> None:
 
 
 def text(name: str, *said: str) -> TopicRecording:
-    """A topic with one text every 0.1 s."""
+    """Record a topic with one text every 0.1 s."""
     return on_topic(name, TEXT, [0.1 * (n + 1) for n in range(len(said))], said)
 
 
@@ -74,7 +74,7 @@ def test_12_one_report_may_be_early_and_not_all_of_them(said_after: Sequence[flo
 def of_12(
     answered: Sequence[tuple[float, float | None, bool]], said: Sequence[tuple[float, str]]
 ) -> Recording:
-    """Exercise 12: calls (when, answered after how long, with what), and what was said on the health topic."""
+    """Record exercise 12: calls (when, response time, result), and the messages on the health topic."""
     calls = [
         CallSeen("/robot/self_test", "program", at, at, {})
         if after is None
@@ -137,7 +137,7 @@ def test_13_a_line_that_follows_only_while_the_heart_beats() -> None:
 
 
 def touches_of_11() -> tuple[tuple[Published, ...], list[float], list[int]]:
-    """What the judge says in one run, the moments (s) and the numbers."""
+    """Return what the judge publishes in one run, the times (s), and the numbers."""
     [part] = load_exercise("11_polling_against_callbacks", ROOT).plan.script.parts
     assert isinstance(part, Publishes)
     said = tuple(Published(part.topic, line.at, line.at, line.value) for line in part.lines)
@@ -170,7 +170,7 @@ WELL: list[Call] = [("87.25", "returned", [87.25], []), ("99.9", "returned", [99
 
 
 def calls(*made: Call, uncalled: Sequence[float] = ()) -> Recording:
-    """Calls of publish_level: argument, how it came back, what went out meanwhile, and what after it."""
+    """Record calls of publish_level: the argument, how the call ended, and the messages during and after it."""
     said: list[tuple[float, str]] = []
     sent = [(0.1, number) for number in uncalled]
     for number, (argument, how, meanwhile, later) in enumerate(made, start=1):
@@ -225,7 +225,7 @@ def test_03_a_call_of_which_a_report_got_lost_is_not_judged() -> None:
 
 
 def monitor(*readings: float) -> Recording:
-    """A monitor that made its publisher when readings were coming in, and passed these on."""
+    """Record a monitor that created its publisher while readings were already arriving, and that relayed these."""
     seen = on_topic("/monitor/battery", FLOAT, [0.1 * n for n in range(len(readings))], readings)
     late = replace(seen, publishers=tuple(replace(one, first_seen=2.0) for one in seen.publishers))
     said = [(0.5 + 0.1 * n, level) for n, level in enumerate((52.0, 50.25, 49.5, 49.25))]
@@ -247,7 +247,7 @@ def test_04_a_late_publisher_loses_the_first_reading() -> None:
 
 
 def pumped(announced: Sequence[str], log: str = "", **told: Sequence[list[int]]) -> Recording:
-    """What the driver of 06 announced, and what the robot told on its topics."""
+    """Record what the driver of 06 announced, and what the robot published on its topics."""
     topics: list[TopicRecording] = [text("/driver/pump", *announced)]
     for name, pairs in told.items():
         times = [0.1 * n for n in range(len(pairs))]
@@ -305,7 +305,7 @@ def test_11_a_little_late_on_a_busy_machine() -> None:
 
 
 def test_07_what_the_node_reports_while_it_is_called_is_its_own() -> None:
-    """A thread of the node may report between two calls of the driver."""
+    """A thread of the node may publish between two of the driver's calls."""
     made = load_exercise("07_typed_nodes", ROOT).criteria[-1].judge.__globals__
     moments = [1.0, 2.0, 2.62, 2.63, 2.64, 3.6]
     battery = on_topic("/robot/battery", FLOAT, moments, [99.875, 99.75, 42.0, 99.625, 55.2, 99.5])

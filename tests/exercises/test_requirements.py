@@ -1,4 +1,7 @@
-"""The course's own tables of requirements hold. How faults are told: tests/authoring/test_requirement_tables.py."""
+"""The course's tables of requirements are correct.
+
+tests/authoring/test_requirement_tables.py tests the check itself.
+"""
 
 from pathlib import Path
 
@@ -10,7 +13,7 @@ from workbook.authoring.tree import Tree
 
 COURSE = Tree(Path(__file__).resolve().parents[2])
 MOST_WITHOUT_TABLE = 0
-"""Only ever fewer."""
+"""The number may only shrink."""
 
 
 @pytest.mark.parametrize("stem", COURSE.exercise_stems())

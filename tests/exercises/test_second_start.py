@@ -1,4 +1,4 @@
-"""What counts of a program's two processes: one on simulated time, and one that is started again for real time."""
+"""Judge a program by two processes: one on simulated time, and a second one in real time."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -21,14 +21,14 @@ ALIVE = ProcessRecord("answer.py", None, None, None, None, REAL_S)
 
 
 def in_simulated_time() -> Recording:
-    """A right answer on simulated time, as it is stored."""
+    """Load the stored recording of a right answer on simulated time."""
     recording = Recording.load(ROOT / "tests" / "recordings" / EXERCISE.stem / "solution.json")
     following = dict.fromkeys(EXERCISE.periods, True)
     return replace(recording, following=following, in_lockstep=True, process=ALIVE)
 
 
 def in_real_time(process: ProcessRecord = ALIVE, lasts_s: float = REAL_S, **changes: Any) -> Recording:
-    """The same program in real time, for as long as `lasts_s` (s)."""
+    """Return a recording of the same program in real time that lasts `lasts_s` seconds."""
     recording = in_simulated_time()
 
     def came(arrivals: tuple[Arrival, ...]) -> tuple[Arrival, ...]:
@@ -51,20 +51,20 @@ def in_real_time(process: ProcessRecord = ALIVE, lasts_s: float = REAL_S, **chan
 
 
 def silent(recording: Recording, topic: str) -> Recording:
-    """The recording without the messages of a topic."""
+    """Remove a topic's messages from the recording."""
     return replace(
         recording, topics={**recording.topics, topic: replace(recording.topic(topic), arrivals=())}
     )
 
 
 def ended(at_s: float) -> ProcessRecord:
-    """A process that has ended by itself."""
+    """Return a process that has ended by itself."""
     return ProcessRecord("answer.py", 0, None, at_s, "itself", at_s)
 
 
 @dataclass
 class StandIn:
-    """Stands in for the observer and its watches, which show one recording after another."""
+    """Replaces the observer and its watches: each watch returns the next recording."""
 
     recordings: list[Recording]
     plans: list[Plan] = field(default_factory=list)
@@ -102,7 +102,10 @@ class StandIn:
 def judged(
     *recordings: Recording, soak: bool = True, cancel_soak: bool = False, wall_s: float = 8.0
 ) -> Judgement:
-    """Judge a program that shows these recordings, and each of them. `wall_s`: how long the second one lasts (s)."""
+    """Judge a program that has these recordings, and check that all are used.
+
+    `wall_s`: the second watch's length (s).
+    """
     observer: Any = StandIn([*recordings])
     answer = Answer(EXERCISE.source.solution_code)
     judgement = Judge(observer).judge(EXERCISE, answer, soak=soak, cancel_soak=lambda: cancel_soak)

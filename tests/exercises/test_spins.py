@@ -1,4 +1,4 @@
-"""Which spins of a program may be to blame for its silence, and what feedback says of them."""
+"""Which spins of a program may explain its silence, and what the feedback says about them."""
 
 from dataclasses import replace
 

@@ -60,7 +60,7 @@ def guarded(recording):  # type: ignore[no-untyped-def]
 
 
 def exercise(kind: str) -> Exercise:
-    """Exercise 05, short, as one of another kind."""
+    """Return exercise 05, shortened, as an exercise of another kind."""
     real = load_exercise("05_timers", ROOT)
     short = replace(
         real,

@@ -1,4 +1,4 @@
-"""The stored recordings of the proofs, judged again: the same verdicts, without running a program."""
+"""Judge the proofs' stored recordings again: the verdicts are the same, and no program runs."""
 
 import json
 from collections import defaultdict
@@ -22,7 +22,7 @@ STEM = "09_joint_positions"
 
 
 def problems(key: Key, judgement: Judgement, wrong: Path) -> list[str]:
-    """What is not as it must be with the verdict on an answer. `wrong`: its file, if it is a wrong one."""
+    """Return what is wrong with the verdict on an answer. `wrong`: its file, if it is a wrong answer."""
     kind = key[1].partition("/")[0]
     if kind == "wrong":
         return differences(judgement, read_header(wrong))
@@ -99,7 +99,7 @@ def test_neither_the_checkout_nor_the_python_of_this_machine_is_named(
 def test_what_the_judge_said_is_kept_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, first: int | None
 ) -> None:
-    """Whichever is stored first: a recording of the whole script, or one of a program that met only its beginning."""
+    """The order doesn't matter: a program may have received the whole script or only its beginning."""
     stem = "10_slow_callbacks"
     judgement = judged(SOLUTION, stem)
     recording = judgement.recording

@@ -1,4 +1,4 @@
-"""What two runs of a program mean together, decided from recordings alone."""
+"""The judgment from two runs of a program, decided from recordings alone."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -32,7 +32,7 @@ ENDED = replace(ALIVE, exit=0, ended_at=2.0, ended_by="itself")
 
 
 def seen(name: str = "solution", **changes: Any) -> Recording:
-    """A stored recording, as if its program followed simulated time in lock-step; with some fields changed."""
+    """Load a stored recording as if its program had followed simulated time in lockstep, with some fields changed."""
     stored = Recording.load(ROOT / "tests" / "recordings" / EXERCISE.stem / f"{name}.json")
     usual: dict[str, Any] = {
         "clock": "simulated",
@@ -45,13 +45,13 @@ def seen(name: str = "solution", **changes: Any) -> Recording:
 
 
 def in_real_time(recording: Recording, **changes: Any) -> Recording:
-    """A recording as if it had been made on the wall clock."""
+    """Return a recording as if it had been made on the wall clock."""
     usual: dict[str, Any] = {"clock": "wall", "follows_clock": None, "following": {}, "in_lockstep": False}
     return replace(recording, **{**usual, **changes})
 
 
 def stretched(recording: Recording, topic: str, factor: float) -> Recording:
-    """The recording with the messages of a topic at another rate, as many as the watch has time for."""
+    """Return the recording with a topic's messages at another rate, as many as fit into the watch."""
     arrivals = [replace(one, t=one.t * factor) for one in recording.topic(topic).arrivals]
     kept = tuple(one for one in arrivals if one.t <= recording.watched_s)
     changed = replace(recording.topic(topic), arrivals=kept)
@@ -59,7 +59,7 @@ def stretched(recording: Recording, topic: str, factor: float) -> Recording:
 
 
 def silent_after(recording: Recording, topic: str, count: int) -> Recording:
-    """The recording with the first messages of a topic only."""
+    """Return the recording with only the first messages of a topic."""
     changed = replace(recording.topic(topic), arrivals=recording.topic(topic).arrivals[:count])
     return replace(recording, topics={**recording.topics, topic: changed})
 
@@ -165,7 +165,7 @@ def test_a_second_start_lasts_eight_seconds_or_as_long_as_the_script() -> None:
     assert plan_of_second_start(scripted, judged(seen())).wall_s >= scripted.plan.simulated_s
 
 
-# --- what they mean together --------------------------------------------------------------------------------------
+# --- the judgment from both runs ----------------------------------------------------------------------------------
 
 
 def test_the_wall_clock_does_not_overrule_the_pace_that_robot_time_has_proved() -> None:

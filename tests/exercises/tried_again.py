@@ -1,14 +1,14 @@
-"""How many answers were judged more than once, as a run of the tests says it at its end."""
+"""Count the answers that were judged more than once, for the summary at the end of a test run."""
 
 from collections.abc import Iterable
 from typing import Any
 
 PROPERTY = "tried again"
-"""The property of a test's report that holds a line of it."""
+"""The property of a test's report that holds one line of the summary."""
 
 
 def lines_of(reports: Iterable[Any]) -> list[str]:
-    """The lines that tests have left in their reports, sorted. What is no report of a test has none."""
+    """Return the lines that tests left in their reports, sorted. Objects other than test reports have none."""
     return sorted(
         str(value)
         for report in reports

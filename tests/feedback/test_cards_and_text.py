@@ -1,4 +1,4 @@
-"""Feedback as card and text: complete, safe in any notebook, readable on light and dark, the same every time."""
+"""Feedback as card and text: complete, safe in any notebook, readable in both themes, the same in every run."""
 
 import re
 from dataclasses import replace
@@ -86,7 +86,7 @@ every_judgement = pytest.mark.parametrize("judgement", JUDGEMENTS.values(), ids=
 
 
 class Reader(HTMLParser):
-    """Sees a card as a browser does: its tags, their attributes, its text."""
+    """Parses a card as a browser does: its tags, their attributes, its text."""
 
     VOID = ("br", "img", "hr", "input")
 
@@ -297,7 +297,7 @@ def test_the_picture_has_a_text() -> None:
 
 @every_judgement
 def test_the_plain_text_of_a_card_is_the_same_in_every_run(judgement: Judgement) -> None:
-    """nbval compares it, so it holds no times and no measured numbers."""
+    """nbval compares it, so it contains no times or measured numbers."""
     line = repr(Card(judgement))
     assert "\n" not in line
     recording = judgement.recording
@@ -401,7 +401,7 @@ def test_a_known_error_leads_to_the_museum_and_the_lesson() -> None:
     assert "error_museum.md, lesson 01_the_context" in " ".join(as_text(judgement, exhibit=exhibit).split())
 
 
-# --- which version, and the moment of full marks --------------------------------------------------------------------
+# --- the judged version, and the celebration of full marks ----------------------------------------------------------
 
 
 def test_nothing_is_praised_that_is_not_on_the_screen() -> None:

@@ -1,4 +1,4 @@
-"""Text of cards and pages is readable in both themes: at least 4.5:1, computed from the CSS that is delivered."""
+"""Text of cards and pages is readable in both themes: a contrast of at least 4.5:1, computed from the shipped CSS."""
 
 import re
 from itertools import product
@@ -16,7 +16,7 @@ GROUNDS = {
     "light": ["#ffffff", "#f5f5f5", "#e1f5fe"],
     "dark": ["#111111", "#121212", "#1f1f1f", "#212121", "#1b3c4b"],
 }
-"""Behind a text: JupyterLab's cell, its every other row of a table, its row under the mouse; VS Code; a page."""
+"""Backgrounds: JupyterLab's cell, every other table row, the row under the mouse; VS Code; a page."""
 Color = tuple[float, float, float]
 
 
@@ -86,7 +86,7 @@ def test_text_is_readable_on_every_ground_tinted_or_not(themes: object, theme: s
 
 
 def test_the_palette_alone_would_not_do_for_text() -> None:
-    """If it did, the variants could go. (Shapes need 3:1.)"""
+    """If it did, the variants for text could be removed. (Shapes need 3:1.)"""
     grounds = [parse(grounds[0]) for grounds in GROUNDS.values()]
     worst = [min(contrast(parse(color), ground) for ground in grounds) for color in COLORS.values()]
     assert 3 < min(worst) <= max(worst) < LEAST

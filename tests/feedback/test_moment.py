@@ -1,4 +1,4 @@
-"""What full marks bring onto a card."""
+"""What a card shows in addition when an answer gets full marks."""
 
 import io
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""A small farm on this machine's loopback: a scheduler and workers as processes of their own."""
+"""A small farm on this machine's loopback: a scheduler and workers as separate processes."""
 
 import json
 import os
@@ -19,7 +19,7 @@ DASK = str(Path(sys.executable).with_name("dask"))
 
 
 class LittleFarm:
-    """What was started, and where its scheduler is. Everything stays below `folder`."""
+    """The farm's processes and its scheduler's address. All files stay below `folder`."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -58,9 +58,9 @@ class LittleFarm:
         return process
 
     def worker(self, *options: object, nanny: bool = False, **changes: str) -> "subprocess.Popen[bytes]":
-        """Start a worker that takes three answers at once. `changes`: of its environment.
+        """Start a worker that judges three answers at a time. `changes`: changes to its environment.
 
-        With a `nanny` it is started anew when it dies, and takes twice as long to start.
+        A `nanny` restarts the worker when it dies, but doubles the start time.
         """
         place = self.folder / f"worker{len(self.started)}"
         process = self._start(
@@ -73,18 +73,21 @@ class LittleFarm:
         return process
 
     def log(self, process: "subprocess.Popen[bytes]") -> str:
-        """What a process of the farm has printed."""
+        """Return what a process of the farm has printed."""
         [path] = self.folder.glob(f"{self.started.index(process)}-*.log")
         return path.read_text(errors="replace")
 
     def processes(self) -> set[int]:
-        """All processes of the farm, slots and answers too, that are there or were when this was asked before."""
+        """Return the farm's processes, slots and answers included:
+
+        those that run now, and those seen by earlier calls.
+        """
         for process in self.started:
             self._seen |= set(process_tree(process.pid))
         return self._seen
 
     def _shared_memory(self) -> set[Path]:
-        """Shared memory that processes of the farm use now."""
+        """Return the shared memory that the farm's processes use now."""
         found = set()
         for pid in self.processes():
             try:
@@ -95,9 +98,9 @@ class LittleFarm:
         return found
 
     def end_workers(self) -> None:
-        """End the workers with Ctrl-C, kill what does not go, and wait until the scheduler has forgotten them.
+        """End the workers with Ctrl-C, kill those that remain, and wait until the scheduler has forgotten them.
 
-        Whoever kills all at once kills those as well who would remove the shared memory of the dead.
+        If all were killed at the same time, no process would be left to remove the shared memory of the dead ones.
         """
         self._end([process for process in self.started if process is not self.scheduler])
         if self.scheduler.poll() is None:
@@ -107,7 +110,7 @@ class LittleFarm:
         return self.log(self.scheduler).count(words)
 
     def end(self) -> None:
-        """End what was started, workers first."""
+        """End all started processes, workers first."""
         self.end_workers()
         self._end([self.scheduler])
         wait_until(lambda: all(map(is_gone, self._seen)))
@@ -133,7 +136,7 @@ class LittleFarm:
         assert not [path for path in shared if path.exists()], "shared memory is left behind"
 
     def grade(self, *arguments: object, **changes: str) -> "subprocess.Popen[str]":
-        """`workbook grade ... --farm` of this farm."""
+        """Run `workbook grade ... --farm` on this farm."""
         command = ("grade", *arguments, "--exercise", "joint_positions", "--farm", self.address)
         return subprocess.Popen(
             [sys.executable, "-m", "workbook.cli.main", *map(str, command)],
@@ -147,7 +150,7 @@ class LittleFarm:
 
 @contextmanager
 def little_farm(folder: Path) -> Iterator[LittleFarm]:
-    """A scheduler without workers; whatever is started on it is ended."""
+    """Start a scheduler without workers. At the end, stop it and everything that was started on it."""
     folder.mkdir()
     farm = LittleFarm(folder)
     try:
@@ -157,7 +160,7 @@ def little_farm(folder: Path) -> Iterator[LittleFarm]:
 
 
 def parent_of(pid: int) -> int:
-    """The process that started `pid`; 0 when there is none."""
+    """Return the parent of `pid`, or 0 if there is none."""
     try:
         return int(Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[1])
     except OSError:
@@ -165,7 +168,7 @@ def parent_of(pid: int) -> int:
 
 
 def ancestors_of(pid: int) -> list[int]:
-    """From the parent of `pid` upwards."""
+    """Return the ancestors of `pid`, beginning with its parent."""
     found: list[int] = []
     while pid := parent_of(pid):
         found.append(pid)

@@ -1,4 +1,4 @@
-"""Marks that a person changed: in every export, with the reason, through regrading and resuming; what is refused."""
+"""Points that a person changed: they appear in every export with the reason, survive regrading, or are refused."""
 
 import csv
 import json
@@ -27,7 +27,7 @@ CHANGE = (
 
 @pytest.fixture
 def out(tmp_path: Path) -> Path:
-    """Results of ada, who lost a point, of bob with full marks, and of eve, who is ungradable."""
+    """Store results: ada lost a point, bob has full marks, and eve is ungradable."""
     folder = tmp_path / "out"
     by = GradedBy(EXERCISE, "sandbox", folder)
     with ResultsFile(folder / RESULTS) as file:
@@ -118,7 +118,7 @@ def test_a_change_survives_a_run_that_goes_on(out: Path, tmp_path: Path) -> None
 
 
 def test_a_change_that_takes_points_away_is_reported(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """As after a corrected criterion, which gives more than the change did."""
+    """As after a criterion was corrected and now gives more points than the change."""
     assert change(out, f"bob,{STEM},total,7,generous,Dr. Lee\n") == 0
     told = capsys.readouterr().out
     assert "bob: the judge gives 10 points for total, and the change by Dr. Lee lowers them to 7." in told

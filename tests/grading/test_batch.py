@@ -1,4 +1,4 @@
-"""Grading a class: what is done is kept, what changed runs again, and a kill at any moment loses nothing."""
+"""Grade a class: results are kept, only changed answers run again, and a kill at any moment loses nothing."""
 
 import csv
 import json
@@ -40,11 +40,11 @@ def exercise() -> Exercise:
     return load_exercise(STEM, ROOT)
 
 
-# --- which answers run, without running any -----------------------------------------------------------------------
+# --- which answers run, tested without running any ----------------------------------------------------------------
 
 
 class Judges:
-    """Stands in for the slots: knows what it was asked to judge, and gives everybody a stored recording."""
+    """Replaces the slots: notes which answers it should judge, and gives each student a stored recording."""
 
     def __init__(self, exercise: Exercise) -> None:
         self.exercise = exercise
@@ -283,7 +283,7 @@ def test_lateness_is_taken_off_in_the_gradebook_and_who_has_no_time_is_named(
         "limits",
     ]
     command += ["--deadline", "2025-02-01T00:00+00:00", "--late-per-day", "0.1"]
-    for _ in range(2):  # the second time everything is there already
+    for _ in range(2):  # the second time, all results exist already
         assert main(command) == 0, capsys.readouterr()
         rows = {
             row["student"]: row["score"]
@@ -326,7 +326,7 @@ def test_odd_hand_ins_are_ungradable_and_hang_nothing(
 
 
 def once(marks: Path, first: str) -> str:
-    """An answer that does `first` the first time it is run; the second time it ends at once."""
+    """Return an answer that runs `first` the first time; later, it ends right away."""
     return f"""\
 {CLIMB}
 import subprocess
@@ -364,13 +364,13 @@ def test_a_killed_grader_goes_on_and_leaves_no_process(tmp_path: Path) -> None:
     (folder / "s3.py").write_text(once(marks, "time.sleep(600)"))
     (folder / "s5.py").write_text("")
     command = ("grade", folder, "--exercise", "joint_positions", "--out", out, "--slots", "1")
-    command += ("--isolation", "limits")  # in a sandbox it could not leave its mark
+    command += ("--isolation", "limits")  # a sandboxed answer could not leave its mark
 
     with workbook(*command) as grader:
         judged = pids_in(marks)
         everything = {*judged, *process_tree(grader.pid)}
-        assert not any(map(is_gone, (*judged, grader.pid)))  # what else is started may have done its work
-        wait_until(lambda: len(lines(out)) == 3)  # what s2 got is written while s3 runs already
+        assert not any(map(is_gone, (*judged, grader.pid)))  # other processes may have ended by now
+        wait_until(lambda: len(lines(out)) == 3)  # the result of s2 is written while s3 is already running
         grader.kill()
         wait_until(lambda: all(map(is_gone, everything - {grader.pid})))
     first = lines(out)
@@ -499,7 +499,7 @@ def test_check_says_not_yet_with_exit_code_1(tmp_path: Path) -> None:
 
 
 def test_check_tries_once_more_what_crashes_at_ctrl_c(tmp_path: Path) -> None:
-    """As rclpy itself does now and then: see `workbook.exercise.inconclusive`."""
+    """As an occasional bug in rclpy does: see `workbook.exercise.inconclusive`."""
     stem, was_here = "08_humanoid_status_publisher", tmp_path / "was here"
     solution = load_exercise(stem, ROOT).source.solution_code
     shutdown = "    finally:\n        rclpy.try_shutdown()"

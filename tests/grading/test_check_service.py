@@ -1,4 +1,4 @@
-"""The service that judges a whole class: whose answer is next, and one answer's way through it."""
+"""The service that judges a whole class: which answer is next, and what happens to it."""
 
 import itertools
 import json
@@ -134,7 +134,7 @@ def test_answers_are_judged_one_after_another_and_see_their_place(service: Check
     assert {one.status for one in got.values()} == {"graded"}
     lost = {name: sum(one.max_points - one.points for one in got[name].criteria) for name in got}
     assert lost["right"] == 0 < lost["wrong"]
-    assert max(places["right"] + places["wrong"]) >= 1  # one of them waited
+    assert max(places["right"] + places["wrong"]) >= 1  # one of the two waited
 
 
 def test_without_a_service_the_card_says_so(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""The page of a class: what fails most and why, and a map that leads to everybody's page, whatever they are called."""
+"""A class's page: the most frequent failures, their causes, and a table that links to every student's page."""
 
 import base64
 import hashlib
@@ -37,7 +37,7 @@ def refused(student: str) -> Result:
 
 
 class Page(HTMLParser):
-    """The tags of a page, and the texts of the cells of its tables, row by row."""
+    """The tags of a page, and the texts of its table cells, row by row."""
 
     def __init__(self, html: str) -> None:
         super().__init__()
@@ -111,7 +111,7 @@ def test_a_hidden_criterion_has_a_column_and_no_line_to_lead_to(few: list[Result
 
 
 def test_causes_are_counted_by_their_reason_and_say_what_was_seen(few: list[Result], tmp_path: Path) -> None:
-    """Numbers that were measured make no cause of its own."""
+    """Differences in measured numbers alone don't make a separate cause."""
     lost = next(line for line in few[1].criteria if line.is_lost)
     other = replace(lost, saw="every message has 13 values", because=lost.because.replace("0", "2"))
     criteria = tuple(other if line.id == lost.id else line for line in few[1].criteria)

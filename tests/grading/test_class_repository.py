@@ -1,4 +1,4 @@
-"""The workflow of a class repository: its rules, and its very commands run in a folder that stands in for a runner."""
+"""The workflow of a class repository: its rules, and its commands, run in a folder that replaces a runner."""
 
 import base64
 import json
@@ -53,7 +53,7 @@ def refused(status: ResultStatus = "ungradable") -> Result:
 
 
 def report(variables: dict[str, str], names: str) -> dict[str, float]:
-    """What Classroom's reporter makes of its variables; raises where that one would."""
+    """Return what Classroom's reporter makes of its variables; raises where the reporter would."""
     assert re.fullmatch(r"([a-zA-Z0-9]+,)*[a-zA-Z0-9]+", names)
     total = most = table = 0.0
     failed = False
@@ -336,7 +336,10 @@ def test_changes_that_are_not_committed_are_said(tmp_path: Path) -> None:
 
 
 class Runner:
-    """A folder that stands in for GitHub's runner. `make env` and `sudo` are played: they would install things."""
+    """A folder that replaces GitHub's runner.
+
+    `make env` and `sudo` are fakes, because the real ones would install things.
+    """
 
     def __init__(self, folder: Path, course: Path) -> None:
         self.folder = folder
@@ -368,7 +371,7 @@ class Runner:
         (folder / name).chmod(0o755)
 
     def run(self) -> subprocess.CompletedProcess[str]:
-        """Run the commands of all steps as the runner does; stops at the first that fails."""
+        """Run the commands of all steps as the runner does. Stop at the first step that fails."""
         for step in steps(self.workflow):
             if "run" not in step:
                 continue
@@ -401,7 +404,7 @@ def git(folder: Path, *arguments: str) -> str:
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The course as it is now, as a repository of its own with one commit."""
+    """Make a repository of the current course, with one commit."""
     folder = tmp_path_factory.mktemp("course")
     wanted = (
         "Makefile",
@@ -486,7 +489,7 @@ def test_another_commit_than_the_pinned_one_is_not_run(tmp_path: Path, course: P
 def test_no_file_name_is_a_command_to_the_log(
     where: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """GitHub takes a line that begins with :: for a command, and `reason` names files as students called them."""
+    """GitHub interprets a line that begins with :: as a command, and `reason` contains students' file names."""
     answers = tmp_path / "answers"
     answers.mkdir()
     for name in (f"{STEM}\n::error::hacked\x1b[2J.py", f"{STEM}_2\r::stop-commands::x.py"):

@@ -1,4 +1,4 @@
-"""Deadlines: their zone is said, single students may have another one, and a corrected time counts right away."""
+"""Deadlines: they name their zone, some students get extensions, and corrected times take effect right away."""
 
 import csv
 from datetime import UTC, datetime
@@ -30,7 +30,7 @@ BERLIN = zone_named("Europe/Berlin")
         ("2026-05-31T23:59Z", "2026-05-31 23:59:00"),
         ("2026-05-31T23:59-05:00", "2026-06-01 04:59:00"),
         ("2026-01-31T23:59", "2026-01-31 22:59:00"),
-        ("2026-10-25T02:30", "2026-10-25 01:30:00"),  # occurs twice: the later one
+        ("2026-10-25T02:30", "2026-10-25 01:30:00"),  # this time occurs twice; the later one counts
     ],
 )
 def test_a_deadline_without_a_zone_is_read_in_the_one_that_was_named(text: str, utc: str) -> None:
@@ -126,7 +126,7 @@ def scores(out: Path, exercise: str = STEM) -> dict[str, str]:
 def test_an_extension_and_a_corrected_time_count_without_judging_again(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Answers of 0 points cannot lose any: a change by hand gives them some first."""
+    """An answer with 0 points can't lose any, so a manual change first gives it some."""
     folder, out = tmp_path / "ans", tmp_path / "out"
     hand_in(folder, "late", "2026-06-02T10:00:00Z")
     hand_in(folder, "excused", "2026-06-02T10:00:00Z")

@@ -1,4 +1,4 @@
-"""The gradebook in other systems' forms: each keeps that system's rules, whatever the students are called."""
+"""Exports of the gradebook: each follows its system's rules, whatever the students are called."""
 
 import csv
 import io
@@ -145,7 +145,7 @@ TOLD = f"<img src=x> {UNSEEN}=1+1 & {UNSEEN}"
 
 @pytest.fixture(scope="module")
 def hostile(plain: Result) -> Result:
-    """A result in which all texts that an answer may have written are meant to do harm, as an old file may hold it."""
+    """Make a result whose texts (those that an answer may influence) are malicious, as in an old file."""
     lines = tuple(
         replace(one, saw=TOLD, expected=TOLD, because=TOLD, try_this=TOLD) if one.is_lost else one
         for one in plain.criteria
@@ -311,7 +311,7 @@ def test_a_wrong_alias_file_is_refused_with_its_line(tmp_path: Path, text: str) 
         read_aliases(file)
 
 
-# --- judging again ------------------------------------------------------------------------------------------------
+# --- regrading ----------------------------------------------------------------------------------------------------
 
 STRICTER = """
 import workbook.criteria as see

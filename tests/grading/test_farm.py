@@ -1,4 +1,4 @@
-"""A real scheduler and real workers on loopback: who is lost is judged elsewhere, who is poison harms nobody else."""
+"""A real scheduler and real workers on loopback: lost answers are judged elsewhere, and a bad answer harms no other."""
 
 import asyncio
 import gc
@@ -59,21 +59,21 @@ def scheduler(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LittleFarm]:
 
 @pytest.fixture
 def farm(scheduler: LittleFarm) -> Iterator[LittleFarm]:
-    """A farm without workers; those that a test starts go with it."""
+    """Start a farm without workers. Workers that a test starts end with the test."""
     yield scheduler
     scheduler.end_workers()
 
 
 @pytest.fixture
 def own_farm(tmp_path: Path) -> Iterator[LittleFarm]:
-    """A farm whose scheduler the test may kill."""
+    """Start a farm whose scheduler the test may kill."""
     pytest.importorskip("distributed", reason="the extra `farm` is not installed")
     with little_farm(tmp_path / "farm") as farm:
         yield farm
 
 
 def slow_once(marks: Path) -> str:
-    """An answer that says that it runs and waits; when it is run again it ends at once."""
+    """Return an answer that says that it runs, and waits. Run again, it ends right away."""
     return f"""\
 import os, time
 marks = {str(marks)!r}
@@ -313,7 +313,7 @@ def test_waits_that_nobody_receives_are_not_told_to_the_instructor(caplog: pytes
     assert "AllExit" not in said
 
 
-# --- no farm ---------------------------------------------------------------------------------------------------------
+# --- without a farm --------------------------------------------------------------------------------------------------
 
 
 def grade(tmp_path: Path, *arguments: str) -> int:
@@ -326,7 +326,7 @@ def grade(tmp_path: Path, *arguments: str) -> int:
 
 def test_nobody_at_the_address(tmp_path: Path) -> None:
     pytest.importorskip("distributed", reason="the extra `farm` is not installed")
-    with socket.socket() as closed:  # bound, and nobody listens
+    with socket.socket() as closed:  # bound, but not listening
         closed.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{closed.getsockname()[1]}"
         code = (
@@ -381,7 +381,7 @@ def test_what_is_no_farm_is_said(
     assert words in capsys.readouterr().err
 
 
-# --- what a worker replies -------------------------------------------------------------------------------------------
+# --- a worker's replies ----------------------------------------------------------------------------------------------
 
 
 def order(**changes: object) -> str:
@@ -452,7 +452,7 @@ def test_a_slot_waits_for_the_next_answer_of_its_kind_and_not_for_ever() -> None
 
 
 class _Server(_Slot):
-    """What slots are forked from."""
+    """The process from which slots are forked."""
 
 
 def test_with_the_last_slot_of_a_kind_goes_what_it_was_forked_from(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -480,7 +480,7 @@ def test_with_the_last_slot_of_a_kind_goes_what_it_was_forked_from(monkeypatch: 
     assert of_other.closed.wait(30.0)
 
 
-# --- what is taken from a reply ---------------------------------------------------------------------------------------
+# --- what the scheduler accepts from a reply --------------------------------------------------------------------------
 
 
 @pytest.fixture

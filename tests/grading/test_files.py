@@ -1,4 +1,7 @@
-"""Files of the gradebook: whole or not at all, with a mark that Excel needs, and named when the disk is full."""
+"""Files of the gradebook:
+
+written completely or not at all, with the mark that Excel needs, and named on a full disk.
+"""
 
 import errno
 from pathlib import Path
@@ -19,7 +22,7 @@ def test_a_byte_order_mark_is_written_when_it_is_asked_for(tmp_path: Path) -> No
 def test_a_full_disk_names_the_file_and_leaves_the_old_one(tmp_path: Path) -> None:
     path = write_whole(tmp_path / "grades.csv", "old")
     partial = tmp_path / ".grades.csv.part"
-    partial.symlink_to(FULL)  # what is written there finds no space
+    partial.symlink_to(FULL)  # writing there fails, as on a full disk
     with pytest.raises(OSError, match=r"grades\.csv") as raised:
         write_whole(path, "new" * 100_000)
     assert raised.value.errno == errno.ENOSPC

@@ -1,4 +1,4 @@
-"""Slots that are forked: they isolate as fresh ones do, a program cannot tell, and nothing is left of them."""
+"""Forked slots isolate as fresh ones do, programs can't tell the difference, and no process is left behind."""
 
 import json
 import os
@@ -203,7 +203,7 @@ def test_without_its_server_a_slot_is_started_afresh() -> None:
 @in_sandbox
 @pytest.mark.whole
 def test_an_answer_whose_server_is_killed_is_judged_again(server: SlotServer) -> None:
-    """The first slot is gone then, and what the second one forks its programs from is its own."""
+    """The first slot is gone then. The second one forks its programs from a separate server."""
     slot = Slot("sandbox", server=server)
     judged(slot, "robot = 1\n")
     for zygote in zygotes_of(server):
@@ -219,7 +219,7 @@ def test_an_answer_whose_server_is_killed_is_judged_again(server: SlotServer) ->
 
 
 def zygotes_of(server: SlotServer) -> list[int]:
-    """The fork servers that it started: those of slots are their children."""
+    """Return the fork servers that the slot server started. Those that belong to slots are their children."""
     found = [pid for pid in process_tree(server.pid) if b"fork_server" in command_line(pid)]
     return [pid for pid in found if not any(pid in children(other) for other in found)]
 
@@ -305,7 +305,7 @@ def test_nothing_is_left_of_a_grader_that_is_killed(tier: Isolation) -> None:
 
 
 def is_asleep(pid: int) -> bool:
-    """Whether a process has the mark of an answer."""
+    """Return whether a process has an answer's mark in its environment."""
     return any(
         line.startswith(b"WORKBOOK_RUN=") and line.strip(b" ") != b"WORKBOOK_RUN="
         for line in environment(pid)

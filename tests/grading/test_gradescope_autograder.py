@@ -1,4 +1,4 @@
-"""The autograder for Gradescope: packed, unpacked and run as Gradescope does, with this environment for its image's."""
+"""The autograder for Gradescope: packed, unpacked, and run as on Gradescope, but in this environment."""
 
 import contextlib
 import json
@@ -44,7 +44,7 @@ OF_TESTS = {
 
 
 def check_rules(data: Mapping[str, Any]) -> None:
-    """Gradescope's rules for results.json, as its specification has them."""
+    """Check Gradescope's rules for results.json, according to its specification."""
     assert set(data) <= OF_RESULTS
     assert isinstance(data.get("output", ""), str)
     assert isinstance(data.get("execution_time", 0), int)
@@ -160,7 +160,7 @@ def test_own_criteria_are_packed_and_missing_ones_are_said(
 
 
 class Gradescope:
-    """What Gradescope does: unpacks the zip into source/, and runs run_autograder for what is in submission/."""
+    """Does what Gradescope does: unpack the zip into source/, and run run_autograder on the files in submission/."""
 
     def __init__(self, root: Path, package: Path) -> None:
         self.root = root
@@ -208,7 +208,7 @@ def scope(tmp_path: Path, package: Path) -> Gradescope:
 
 @pytest.fixture(scope="module")
 def judged(package: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
-    """Two submissions that run, side by side: a right one and a wrong one."""
+    """Run two submissions in parallel: a right answer and a wrong one."""
     scopes = {name: Gradescope(tmp_path_factory.mktemp(name), package) for name in ("right", "wrong")}
     init = scopes["right"].course / "workbook" / "__init__.py"
     init.write_text(init.read_text() + '\n__version__ = "as it was packed"\n')
@@ -332,7 +332,7 @@ def test_a_grader_that_fails_leaves_a_result_that_says_so(
 
 
 def hosts(scope: Gradescope) -> list[int]:
-    """Processes that run an answer, or a sandbox around one, for this autograder."""
+    """Return the processes that run an answer, or a sandbox around one, for this autograder."""
     inside = f"{scope.course}/workbook/inside"
     needles = (f"{inside}/host.py".encode(), f"{inside}/run.py\0host".encode())
     found = []

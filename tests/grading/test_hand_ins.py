@@ -1,4 +1,4 @@
-"""Finding the answers in whatever an instructor has: files, folders, nbgrader's layout, and accidents."""
+"""Find the answers among an instructor's files: single files, folders, nbgrader's layout, and accidents."""
 
 import json
 import os
@@ -127,7 +127,7 @@ def test_the_folder_submitted_itself_may_be_named(tree: Tree) -> None:
     assert (hand_in.student, hand_in.label) == ("ada", "ada/ps2/a.py")
 
 
-# --- one folder, one student --------------------------------------------------------------------------------------
+# --- one folder per student ---------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

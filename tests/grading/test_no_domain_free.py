@@ -1,4 +1,4 @@
-"""A neighbor who holds every domain: whoever checks an answer is told who it is, and what to do."""
+"""If another user holds every domain, `workbook check` says who it is and what to do."""
 
 import os
 import subprocess
@@ -38,7 +38,7 @@ with subprocess.Popen([sys.executable, "-c", hog], stdin=pipe, stdout=pipe, text
 
 @pytest.mark.sandbox
 def test_a_check_without_a_domain_names_the_holder(tmp_path: Path) -> None:
-    """In a network of its own, so that no other test is left without a domain."""
+    """This uses a separate network, so that no other test runs out of domains."""
     problem = sandbox_problem()
     if problem is not None:
         pytest.skip(f"no network of its own: {problem}")

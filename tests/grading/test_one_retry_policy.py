@@ -1,4 +1,4 @@
-"""The same tries of an answer give the same result, whoever judges it: five ways to a judgement, one policy."""
+"""The same tries of an answer give the same result in all five ways to judge it, because they share one policy."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -32,7 +32,7 @@ Points = dict[str, float]
 
 
 def lost(*names: str, inconclusive_reason: str = "", end_only: bool = False) -> Judgement:
-    """A judgement in which some criteria failed; the one about the end is marked as such."""
+    """Make a judgment in which some criteria failed. The criterion about the end is marked as such."""
     criteria = tuple(
         replace(
             one,
@@ -54,7 +54,7 @@ NOT_JUDGED = replace(FULL, status="infra_error", reason="the slot is gone", crit
 
 
 class Prepared:
-    """Judges by giving one prepared judgement after another, and stands for whatever a way judges with."""
+    """Returns one prepared judgment after another, in place of whatever a way uses for judging."""
 
     is_running = True
 
@@ -72,7 +72,7 @@ class Prepared:
 
 
 class Surroundings:
-    """Stands for a program that was started early, for an observer, and for a farm with its workers."""
+    """Replaces a program that was started early, an observer, and a farm with its workers."""
 
     machines = places = 1
     isolation = "limits"
@@ -89,20 +89,20 @@ class Surroundings:
 
 
 def points(judgement: Judgement | None) -> Points | None:
-    """The points by criterion; None where no try counts."""
+    """Return the points by criterion; None if no try counts."""
     if judgement is None or judgement.status != "graded":
         return None
     return {one.id: one.points for one in judgement.criteria}
 
 
 def by_grade(judge: Prepared, folder: Path, monkeypatch: pytest.MonkeyPatch) -> Points | None:
-    """`workbook grade` on the slots of this machine."""
+    """Use `workbook grade` with this machine's slots."""
     monkeypatch.setattr(scheduler, "judge_all", judge.judge_all)
     return _graded(folder, "--isolation", "limits")
 
 
 def by_farm(judge: Prepared, folder: Path, monkeypatch: pytest.MonkeyPatch) -> Points | None:
-    """`workbook grade --farm`."""
+    """Use `workbook grade --farm`."""
 
     class Workers(Surroundings):
         judge_all = staticmethod(judge.judge_all)
@@ -125,7 +125,7 @@ def _answer(folder: Path) -> Path:
 
 
 def by_check(judge: Prepared, folder: Path, monkeypatch: pytest.MonkeyPatch) -> Points | None:
-    """`workbook check`."""
+    """Use `workbook check`."""
     shown: list[Judgement] = []
     monkeypatch.setattr(early_start, "StartedAnswer", Surroundings)
     monkeypatch.setattr(observer, "Observer", Surroundings)
@@ -136,14 +136,14 @@ def by_check(judge: Prepared, folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def by_magic(judge: Prepared, folder: Path, monkeypatch: pytest.MonkeyPatch) -> Points | None:
-    """`%check`."""
+    """Use `%check`."""
     pool = SimpleNamespace(take=lambda _: judge, give=lambda *_: None)
     monkeypatch.setattr(checking, "warm_slots", pool)
     return points(checking.judge(STEM, Answer("print('hello')\n"), lambda _: None))
 
 
 def by_pytest(judge: Prepared, folder: Path, monkeypatch: pytest.MonkeyPatch) -> Points | None:
-    """`pytest exercises/criteria/NN.py --answer FILE`, which tells what passed and no points."""
+    """Use `pytest exercises/criteria/NN.py --answer FILE`, which reports passes but no points."""
     monkeypatch.setattr(observer, "Observer", Surroundings)
     monkeypatch.setattr(judging, "Judge", lambda _: judge)
     errors: dict[str, str] = {}
@@ -192,7 +192,7 @@ def test_every_way_to_a_judgement_counts_the_same_try(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Where none counts, graders give no points, and authors see the last try that was judged."""
+    """If no try counts, grading gives no points, and the others show the last try that was judged."""
     if counts is None and way in AUTHORS:
         counts = next((one for one in reversed(tries) if one.status == "graded"), None)
     judge = Prepared((*tries, HIGH))

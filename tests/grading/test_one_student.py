@@ -1,4 +1,4 @@
-"""What a gradebook holds about one student is found, exported and erased, and nobody else loses anything."""
+"""A gradebook's data about one student can be found, exported, and erased, without affecting other students."""
 
 import csv
 import json
@@ -36,7 +36,10 @@ STORED = {
 
 
 def result(out: Path, student: str, recording: str, number: int) -> Result:
-    """A result with a recording that no other number has; those of number 0 share one."""
+    """Make a result with a recording.
+
+    Results with number 0 share one recording; each other number has a different one.
+    """
     stored = replace(STORED[recording], domain_id=number)
     judgement = judge_recording(EXERCISE, "a" * 64, stored)
     submission = Submission(student, f"{student}.py", judgement.answer_sha256, "2026-05-31T12:00+00:00")

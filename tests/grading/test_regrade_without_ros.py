@@ -1,4 +1,4 @@
-"""Stored recordings are judged again where there is no rclpy: on any laptop, years later."""
+"""Stored recordings can be judged again without rclpy: on any laptop, years later."""
 
 import json
 import subprocess
@@ -89,7 +89,7 @@ CRASHES = STRICTER.replace('see.passed("seen")', "see.passed(str(1 // 0))")
 
 
 def grade_stored(out: Path, criteria: str, own: Path, *, keep: bool = True) -> list[str]:
-    """Grade two stored recordings by these criteria of one's own; returns the command that judges them again."""
+    """Grade two stored recordings by custom criteria. Return the command that judges them again."""
     own.mkdir()
     (own / f"{STEM}.py").write_text(criteria)
     with pytest.MonkeyPatch.context() as patch, ResultsFile(out / RESULTS) as file:

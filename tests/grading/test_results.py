@@ -1,4 +1,4 @@
-"""results.jsonl and grades.csv: the contract that other people's tools read."""
+"""results.jsonl and grades.csv: the formats that other tools rely on."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""results.jsonl across versions: what is read is written again as it was, and what cannot be read is named."""
+"""results.jsonl across versions: it is rewritten without changes, and unreadable parts are named."""
 
 import json
 from pathlib import Path
@@ -14,7 +14,7 @@ from workbook.grading.results import CriterionLine, ProcessSummary, Result, Try,
 from workbook.grading.results_file import BrokenLine, last_results, line_of, read_results, result_of
 
 STORED = Path(__file__).with_name("stored")
-"""Written by the version before there were classes for results."""
+"""Written by the last version without classes for results."""
 LINES = (STORED / "results.jsonl").read_text(encoding="utf-8").splitlines(keepends=True)
 
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=8)

@@ -1,4 +1,4 @@
-"""An inconclusive answer is tried once more: both tries are kept, told of, and nobody loses points by it."""
+"""An inconclusive answer is tried again: both tries are stored and reported, and the new try costs no points."""
 
 import csv
 import json
@@ -51,7 +51,7 @@ WALKS, ENDS = (
 def made(
     walks: float = 5.0, ends: float = 5.0, *, inconclusive_reason: str = "", end_only: bool = False
 ) -> Judgement:
-    """A judgement of two criteria, one of which is about the end."""
+    """Make a judgment of two criteria, one of which is about the end."""
     criteria = tuple(
         replace(one, points=points, status="passed" if points == one.max_points else "failed")
         for one, points in ((WALKS, walks), (ENDS, ends))
@@ -121,7 +121,7 @@ def test_two_that_lost_different_things_are_told_of_although_they_have_the_same_
 
 @pytest.mark.parametrize("tries", [*product(EVERY, repeat=3)])
 def test_no_luck_and_no_disturbance_earns_a_point(tries: tuple[Judgement, ...]) -> None:
-    """For any three tries, and for the first two of them."""
+    """This is checked for any three tries, and for the first two of them."""
     for some in (tries, tries[:2]):
         found = what_counts(some)
         sound = [one for one in some if one.status == "graded" and not one.is_inconclusive]
@@ -200,11 +200,11 @@ def test_there_are_three_tries_at_most_for_a_class_and_for_a_student(
     assert told == [judgement_as_provisional(one) for one in given[:-1]]
 
 
-# --- the books ------------------------------------------------------------------------------------------------------
+# --- the gradebook --------------------------------------------------------------------------------------------------
 
 
 class Judges:
-    """Gives each student, by name, what stands in `tries`: the first round the first, the second round the second."""
+    """Gives each student (by name) a judgment from `tries`: in the first round the first, in the second the second."""
 
     tries: dict[str, tuple[Judgement, ...]] = {  # noqa: RUF012
         "joint_positions_ada": (DOUBTFUL, GOOD),
@@ -326,7 +326,7 @@ def test_regrading_judges_both_recordings_again(graded: tuple[Path, str]) -> Non
     assert [one.counts for one in zoe.tries] == [False, True], "none is lower now"
 
 
-# --- what one person sees -----------------------------------------------------------------------------------------
+# --- what authors and students see ----------------------------------------------------------------------------------
 
 
 def test_a_card_and_a_terminal_tell_of_the_doubt() -> None:

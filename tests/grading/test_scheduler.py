@@ -1,4 +1,4 @@
-"""Many answers on this machine: who only waits gives its place to the next, and memory bounds how many wait."""
+"""Many answers on this machine: an answer that only waits frees its place, and memory limits how many wait."""
 
 import threading
 from collections.abc import Callable, Iterator
@@ -17,11 +17,11 @@ from workbook.isolation.tiers import Isolation
 
 STEM = "09_joint_positions"
 LONG_S = 30.0
-"""So long a test waits for what must come: only a broken program lets it pass."""
+"""How long a test waits. Only a broken program makes it wait this long."""
 
 
 class FakeSlot:
-    """What a pool knows of a slot."""
+    """The parts of a slot that a pool uses."""
 
     is_running = True
 
@@ -38,7 +38,7 @@ def judgement(job: Job[Any], *, provisional: bool = False) -> Judgement:
 
 
 class FakeJudge:
-    """Stands for `pool.judge_with_retry`: reports once, then waits until `most` answers wait at the same time."""
+    """Replaces `pool.judge_with_retry`: reports once, then waits until `most` answers wait at the same time."""
 
     def __init__(self, most: int, *, provisional: bool = False) -> None:
         self._most = most
@@ -152,7 +152,7 @@ def test_a_broken_slot_makes_room_for_a_new_one() -> None:
 
 @pytest.mark.usefixtures("plenty")
 def test_more_are_at_work_while_the_processors_are_idle(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Up to three in each place, with a report that frees none; and with a number that was asked for, no more."""
+    """Up to three answers share each place, although no report frees one. With a requested number, no more run."""
     monkeypatch.setattr(scheduler, "IdleProcessors", lambda: lambda: True)
     monkeypatch.setattr(pool, "slot_server", lambda *_: None)
     monkeypatch.setattr(scheduler, "LOOK_S", 0.01)
@@ -219,11 +219,11 @@ def test_processors_are_looked_at_from_one_look_to_the_next(monkeypatch: pytest.
     assert not has_spare(), "it begins with the first look"
     seen = []
     for later, idle, passed in (
-        (0.1, 0.2, 0.2),  # too soon
-        (0.6, 0.3, 1.2),  # a quarter
-        (1.2, 0.5, 2.4),  # a sixth
-        (1.8, 1.5, 3.6),  # nearly all of the time
-        (2.4, 1.5, 3.6),  # nobody tells
+        (0.1, 0.2, 0.2),  # too soon after the last measurement
+        (0.6, 0.3, 1.2),  # idle for a quarter of the time
+        (1.2, 0.5, 2.4),  # idle for a sixth of the time
+        (1.8, 1.5, 3.6),  # idle for nearly all of the time
+        (2.4, 1.5, 3.6),  # no new measurement
     ):
         now, seconds = later, (idle, passed)
         seen.append(has_spare())

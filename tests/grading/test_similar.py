@@ -1,4 +1,4 @@
-"""`--similar`: answers that are the same but for names and layout are found, and others are not."""
+"""`--similar` finds answers that differ only in names and layout, and no others."""
 
 import re
 import subprocess
@@ -19,7 +19,7 @@ OWN_WORDS = {"self.publisher": "self._outlet", "msg": "reading", "node": "robot"
 
 
 def renamed(text: str) -> str:
-    """The same program with other names, comments, quotes of the same kind, and blank lines."""
+    """Return the same program with other names, comments, quotes of the same kind, and blank lines."""
     for old, new in OWN_WORDS.items():
         text = re.sub(rf"(?<![\w\"'.]){re.escape(old)}\b(?![\"'(])", new, text)
     lines = (f"{line}  # as we know" if line.endswith(")") else line for line in text.splitlines())
@@ -27,7 +27,7 @@ def renamed(text: str) -> str:
 
 
 def other(number: int) -> str:
-    """A program that shares nothing but Python with the solution."""
+    """Return a program that shares nothing with the solution, except Python."""
     return "\n".join(
         f"while total_{n} {'<>'[n % 2]} {'+-*/'[(n + number) % 4].join('ab'[: n % 3])}9 ** {n * number}: print({n})"
         for n in range(1, 40)

@@ -1,4 +1,4 @@
-"""What a slot and its owner say to each other: lines of bounded length, progress, and the last word."""
+"""The protocol between a slot and its owner: lines of limited length, progress, and the final message."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""`workbook package students`: what students get holds no solution, and works."""
+"""`workbook package students`: the students' edition contains no solution, and it works."""
 
 import hashlib
 import json
@@ -62,7 +62,7 @@ def stripped(text: str) -> str:
 
 
 def test_no_file_holds_a_solution(edition: Path) -> None:
-    """No four lines in a row of what a student has to write, except where a lesson shows the same four."""
+    """A file may not contain four consecutive lines that a student has to write, unless a lesson shows them."""
     shown = [
         stripped(path.read_text(encoding="utf-8"))
         for folder in ("lesson_nodes", "notebooks/sources")
@@ -109,7 +109,7 @@ def test_every_link_leads_somewhere(edition: Path) -> None:
 
 @pytest.mark.whole
 def test_its_own_tests_pass(edition: Path) -> None:
-    """Two exercises and the machine here; `make test` in the edition runs all, and every lesson."""
+    """Run the tests of two exercises and of this machine. `make test` in the edition runs all, and every lesson."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTEST_", "WORKBOOK_"))}
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-k", "ready or 09_ or 07_", "tests"],

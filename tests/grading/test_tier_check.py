@@ -1,4 +1,4 @@
-"""The slot that tries a tier is not wasted: it judges the first answer."""
+"""The slot that tries a tier isn't wasted: it also judges the first answer."""
 
 import sys
 from collections.abc import Iterator
@@ -22,7 +22,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.whole]
 
 @pytest.fixture(autouse=True)
 def untried() -> Iterator[None]:
-    """No tier has been tried yet, and nothing is known of this test afterwards."""
+    """Clear the results of earlier tier checks, before and after each test."""
     tier_check.tier_problem.cache_clear()
     yield
     tier_check.tier_problem.cache_clear()
@@ -30,7 +30,7 @@ def untried() -> Iterator[None]:
 
 @pytest.fixture
 def started(monkeypatch: pytest.MonkeyPatch) -> list[Slot]:
-    """Every slot that is started from now on."""
+    """Collect every slot that is started from now on."""
     found: list[Slot] = []
 
     class Noted(Slot):
@@ -91,14 +91,14 @@ def test_a_slot_that_breaks_is_a_tier_that_does_not_work(monkeypatch: pytest.Mon
 def test_what_a_program_could_do_there_is_the_problem(
     started: list[Slot], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """A slot in which programs are not confined, and should be: its own tier is replaced."""
+    """Programs in this slot should be confined but aren't, because its tier is replaced."""
     (tmp_path / "sitecustomize.py").write_text(
         "import workbook.isolation.tiers as tiers\n"
         "from workbook.isolation.limits import LimitsTier\n"
         "tiers.make_tier = lambda *_, **more: LimitsTier()\n"
     )
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    # Without a tier it does not matter what this kernel has.
+    # The tier is replaced anyway, so this kernel's features don't matter.
     monkeypatch.setattr(tiers, "landlock_abi", lambda: 1)
     problem = tier_check.tier_problem("landlock")
     assert problem is not None

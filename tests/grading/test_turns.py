@@ -1,4 +1,4 @@
-"""Turns: in a tier in which answers meet, one is judged at a time, whoever of this user judges it."""
+"""Turns: in a tier in which answers could meet, this user's processes judge one answer at a time."""
 
 import queue
 import select
@@ -13,7 +13,7 @@ from workbook.grading.slots.pool import turn
 from workbook.isolation.tiers import Isolation
 
 LONG_S = 60.0
-"""So long a test waits for what must come: only a broken program lets it pass."""
+"""How long a test waits. Only a broken program makes it wait this long."""
 TAKES_A_TURN = """
 import sys
 from workbook.grading.slots.pool import turn
@@ -40,7 +40,7 @@ def said_by(process: "subprocess.Popen[str]") -> str:
 
 
 def taken_by(isolation: Isolation) -> tuple[threading.Thread, threading.Event]:
-    """A thread that takes a turn, and what tells that it has it."""
+    """Start a thread that takes a turn. Return it with an event that says when it has the turn."""
     has_it = threading.Event()
 
     def take() -> None:

@@ -1,4 +1,4 @@
-"""The key that a driver signs with is gone before the answer is imported: from memory, arguments, and descriptors."""
+"""A driver's key for signatures is gone before the answer is imported: from memory, arguments, and descriptors."""
 
 import os
 import secrets
@@ -33,7 +33,7 @@ time.sleep(600)
 def program(
     request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[NodeProcess]:
-    """An answer with a driver, both of which have run to their last line."""
+    """Start an answer with a driver, and wait until both have run to their last line."""
     files = [tmp_path / name for name in ("answer.py", "driver.py")]
     for file, text in zip(files, (ANSWER, DRIVER), strict=True):
         file.write_text(text)
@@ -50,7 +50,7 @@ def program(
 
 
 def is_in_memory(pid: int, wanted: bytes) -> bool:
-    """Whether these bytes are anywhere in what a process can write to."""
+    """Return whether these bytes are anywhere in a process's writable memory."""
     with open(f"/proc/{pid}/maps") as maps, open(f"/proc/{pid}/mem", "rb", buffering=0) as memory:
         for line in maps:
             span, rights, *_ = line.split()

@@ -1,4 +1,4 @@
-"""Hostile answers at the best tier: none earns what it should not, none leaves anything behind, none harms another."""
+"""Hostile answers at the best tier: none earns undeserved points, leaves anything behind, or harms another answer."""
 
 import json
 import os
@@ -41,7 +41,7 @@ IN_EVERY_RUN = {
     "meets_others_on_a_domain",
     "takes_all_memory",
 }
-"""One for each thing that an answer may attack. `make test` runs these; the others wait for the whole run."""
+"""One answer for each kind of target. `make test` runs only these; the whole run includes the others."""
 SLOTS = 2 * (os.cpu_count() or 1)
 THOROUGH_SLOTS = os.cpu_count() or 1
 NEIGHBORS = 4
@@ -53,10 +53,10 @@ _COMMAND = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]"
 
 @dataclass(frozen=True)
 class Expected:
-    """What the first lines of a hostile answer demand of its result, and how it is run.
+    """The result that the first lines of a hostile answer demand, and how to run it.
 
-    `copies`: how many run side by side. `soak`: it is kept running for its real seconds; where these prove nothing,
-    that would only take time.
+    `copies`: how many run in parallel. `soak`: whether to run it for all of its real seconds, which takes time and
+    often proves nothing.
     """
 
     score: float | None
@@ -87,7 +87,7 @@ def expected_of(path: Path) -> Expected:
 
 @dataclass(frozen=True)
 class Aftermath:
-    """What came of all of them: the judgements, who called the listener, and what was left."""
+    """The result of all answers: the judgments, who called the listener, and the leftovers."""
 
     judgements: dict[str, list[Judgement]]
     callers: int

@@ -1,4 +1,4 @@
-"""The list of what answers may try is covered, item by item, and what it names is there."""
+"""Every item on the list of possible attacks is covered, and the files that it names exist."""
 
 import ast
 import re

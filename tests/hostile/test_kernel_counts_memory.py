@@ -1,6 +1,6 @@
-"""The kernel's own limit of memory, on a real kernel: where no cgroup can be had, the tests show what holds instead.
+"""The kernel's own memory limit, on a real kernel. Without cgroups, the tests show which limit applies instead.
 
-The figures are small, so that nothing here takes much of the machine.
+The limits are small, so that no test takes much of the machine's memory.
 """
 
 import re
@@ -103,7 +103,7 @@ print("groups", sorted(set(told)), flush=True)
 
 
 def works_here(tier: Isolation) -> bool:
-    """Whether the tier works on this machine; where not, that it says why is all there is to see."""
+    """Return whether the tier works on this machine. If not, check that the tier's message gives the reason."""
     problem = known_problem(tier)
     if problem is None:
         return True
@@ -134,7 +134,7 @@ def record_of(
     limits: Limits,
     warm: bool = False,
 ) -> ProcessRecord:
-    """The record of a program that ends, or is ended, under these limits in a tier."""
+    """Return the record of a program that ends, or is ended, under these limits in a tier."""
     adopt_orphans()
     ids, server = lease_for(tier), ForkServer() if warm else None
     made = make_tier(tier, ids=ids, server=server, groups=None if groups is None else groups.path)
@@ -175,7 +175,10 @@ def test_files_in_memory_count_as_memory_or_are_bounded_by_their_folders(
 def test_what_the_kernel_keeps_is_counted_where_no_table_of_descriptors_shows_it(
     tier: Isolation, groups: LeasedGroups | None, tmp_path: Path
 ) -> None:
-    """Epoll instances in a socket that is never read: what they watch comes from one figure of all users."""
+    """Epoll instances in a socket that is never read.
+
+    What they watch counts toward one limit per user, for all programs.
+    """
     if not works_here(tier):
         return
     limits = Limits(memory=2500 * MB, processes=64, descriptors=4000, watches=4000, kernel=15 * MB)
@@ -191,7 +194,7 @@ def test_what_the_kernel_keeps_is_counted_where_no_table_of_descriptors_shows_it
 def test_memory_of_many_processes_together_ends_them_in_every_tier(
     tier: Isolation, groups: LeasedGroups | None, tmp_path: Path
 ) -> None:
-    """By the kernel, or by the judge that watches: the words are the same."""
+    """The kernel or the watching judge ends them, with the same message."""
     if not works_here(tier):
         return
     record = record_of(MANY_SMALL_ONES, tier, groups, tmp_path, Limits(memory=200 * MB, processes=64))
@@ -202,7 +205,10 @@ def test_memory_of_many_processes_together_ends_them_in_every_tier(
 def test_no_answer_leaves_its_group_or_raises_its_limit(
     tier: Isolation, groups: LeasedGroups | None, tmp_path: Path
 ) -> None:
-    """Not below "limits", which hides nothing: there, watching still holds, and the manual says so."""
+    """This doesn't apply to "limits", which hides nothing.
+
+    There, only the judge watches the memory, as the manual says.
+    """
     if not works_here(tier):
         return
     record = record_of(LEAVES, tier, groups, tmp_path, Limits(memory=2500 * MB, processes=64))

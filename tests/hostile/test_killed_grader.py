@@ -1,4 +1,4 @@
-"""A grader that is killed, thirty times at random moments: nothing is left, and in the end everybody has one result."""
+"""A grader killed thirty times at random moments leaves nothing behind, and each student gets one result."""
 
 import csv
 import json
@@ -26,7 +26,7 @@ STUDENTS = 10
 
 @dataclass
 class Grading:
-    """One class, and the command that grades it on one or two slots."""
+    """A class, and the command that grades it with one or two slots."""
 
     folder: Path
     slots: int = 2
@@ -49,7 +49,7 @@ class Grading:
         return self.folder / "out"
 
     def start(self) -> "subprocess.Popen[bytes]":
-        """The grader, with a folder for its temporary files that nobody else uses."""
+        """Start the grader with a folder for its temporary files that no other process uses."""
         return subprocess.Popen(
             [
                 *(sys.executable, "-m", "workbook.cli.main", "grade", str(self.folder / "class")),
@@ -70,7 +70,7 @@ class Grading:
         )
 
     def results(self) -> list[str]:
-        """Students with a result, by line."""
+        """Return the students with a result, one per line of the results."""
         path = self.out / "results.jsonl"
         lines = path.read_bytes().split(b"\n")[:-1] if path.exists() else []
         return [json.loads(line)["student"] for line in lines]
@@ -86,7 +86,7 @@ class Grading:
 
 
 def finish(grading: Grading) -> float:
-    """Let a grader come to its end, see that everybody has one result, and say how long (s) it took."""
+    """Let a grader finish, check that each student has one result, and return how long it took (s)."""
     began = time.monotonic()
     with grading.start() as grader:
         assert grader.stderr is not None
@@ -110,7 +110,7 @@ def test_a_grader_killed_at_any_moment_leaves_nothing_and_loses_nothing(tmp_path
     whole_run = finish(Grading(tmp_path / "whole"))
     moments = random.Random(4)
     kills = killed_at_work = 0
-    for number in range(MOST_CLASSES):  # one class is enough for several kills, unless it is done before
+    for number in range(MOST_CLASSES):  # one class is enough for several kills, unless grading ends before
         grading = Grading(tmp_path / f"class {number}", slots=1 + number % 2)
         for _ in range(KILLS_PER_CLASS):
             if kills == KILLS:
@@ -119,8 +119,8 @@ def test_a_grader_killed_at_any_moment_leaves_nothing_and_loses_nothing(tmp_path
             with grading.start() as grader:
                 try:
                     grader.wait(moment)
-                    whole_run = min(whole_run, moment)  # the machine has less to do than before
-                    break  # it was done: nothing to kill in this class any more
+                    whole_run = min(whole_run, moment)  # the machine is less busy than before
+                    break  # grading has ended, so there is nothing left to kill in this class
                 except subprocess.TimeoutExpired:
                     grading.traces.look()
                     killed_at_work += bool(grading.traces.look().keys() - {grader.pid})

@@ -1,4 +1,4 @@
-"""What isolates an answer lets it use OpenCV, ONNX Runtime and PyTorch, within the default limits."""
+"""Isolated answers can still use OpenCV, ONNX Runtime, and PyTorch within the default limits."""
 
 import importlib.util
 from collections.abc import Iterator
@@ -71,7 +71,7 @@ def slot() -> Iterator[Slot]:
 @pytest.mark.parametrize("threads", THREADS)
 @pytest.mark.parametrize("library", PROGRAMS)
 def test_a_right_answer_that_uses_a_library_gets_full_marks(library: str, threads: int, slot: Slot) -> None:
-    """With so many threads that the kernel refuses one, where it counts them, the limit is named and what to do."""
+    """With too many threads, the kernel refuses one if it counts them. The feedback names the limit and the remedy."""
     if importlib.util.find_spec(library) is None:
         pytest.skip(f"{library} is not installed")
     right = load_exercise(STEM, ROOT).source.solution_code

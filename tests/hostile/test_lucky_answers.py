@@ -1,7 +1,7 @@
-"""An answer that is right now and then, and sees to it that it is tried again, gets its lowest result.
+"""Answers that are right only sometimes, and that force repeated tries, get their lowest result.
 
-One crashes at its end, as if by a bug in rclpy. Others wait for a processor, as if the machine were busy: they keep all
-of them busy themselves, or let everyone else go first.
+One crashes at its end, as if by a bug in rclpy. Others wait for a CPU, as on a busy machine: they keep all CPUs busy
+themselves, or yield to all other processes.
 """
 
 import subprocess
@@ -71,7 +71,7 @@ def test_a_crash_at_ctrl_c_buys_no_second_chance_for_a_rate(luck: str, tmp_path:
 
 
 def test_a_program_that_keeps_the_processors_busy_itself_casts_no_doubt_on_its_rate() -> None:
-    """It has no parameter services, so the wall clock judges it, and its first thread waits for a processor."""
+    """It has no parameter services, so it is judged on the wall clock. Its main thread waits for a CPU."""
     exercise = load_exercise("09_joint_positions", ROOT)
     text = exercise.source.solution_code
     for old, new in (

@@ -1,4 +1,4 @@
-"""What one answer can do to another in the best tier: by what a slot keeps, and by what two programs have in common."""
+"""What one answer can do to another in the best tier: through a slot's state, and through what two programs share."""
 
 import ctypes
 import os
@@ -36,7 +36,7 @@ ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 ATTACKERS, VICTIMS, SLOTS = 3, 16, 4
 ENOUGH = 20
-"""Each program has one of two seeds by chance: so many alike come once in half a million times."""
+"""Each program has one of two random seeds, so this many equal seeds occur once in half a million times."""
 SYS_KCMP, KCMP_FILE = 312, 0
 
 LEAVES_SOCKETS = """
@@ -75,7 +75,10 @@ def right_answer() -> str:
 
 
 def test_no_right_answer_is_harmed_by_what_others_leave_in_its_slot(right_answer: str) -> None:
-    """Three attackers among sixteen: what they send to sockets of a slot would count as the next answer's."""
+    """Three attackers among sixteen answers:
+
+    what they send to a slot's sockets would count as the next answer's messages.
+    """
     attacker = LEAVES_SOCKETS + right_answer
     jobs = [Job(f"right {number}", STEM, Answer(right_answer)) for number in range(VICTIMS)]
     for number in range(ATTACKERS):
@@ -91,7 +94,7 @@ def test_no_right_answer_is_harmed_by_what_others_leave_in_its_slot(right_answer
 
 
 def test_what_was_there_before_is_not_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whoever left it: the sockets of the judge, and what waits unread in them, are there when a program starts."""
+    """The judge's sockets and their unread data exist before a program starts, no matter which process left them."""
     found = {"sockets": 400, "queued": 70_000_000}
     monkeypatch.setattr(proc, "sockets_of_network", lambda: found["sockets"])
     monkeypatch.setattr(proc, "queued_bytes", lambda worth_counting: found["queued"])
@@ -104,7 +107,7 @@ def test_what_was_there_before_is_not_counted(tmp_path: Path, monkeypatch: pytes
 
 @pytest.fixture
 def two_programs(tmp_path: Path) -> Iterator[list[NodeProcess]]:
-    """Two programs that were forked from the same server into sandboxes of their own, one after another."""
+    """Fork two programs from the same server into separate sandboxes, one after another."""
     with ExitStack() as stack:
         server = ForkServer()
         stack.callback(server.close)
@@ -122,7 +125,7 @@ def test_what_a_program_sets_on_its_input_does_not_reach_another(two_programs: l
 
 
 def test_two_programs_have_no_open_file_and_no_memory_in_common(two_programs: list[NodeProcess]) -> None:
-    """Also not by the other processes of their sandboxes, whose descriptors a program may open."""
+    """This includes the other processes of their sandboxes, whose descriptors a program can open."""
     one, other = (in_its_sandbox(program.pid) for program in two_programs)
     assert len(one) == len(other) > 1, "the program, and what keeps its sandbox"
     common = [
@@ -137,18 +140,18 @@ def test_two_programs_have_no_open_file_and_no_memory_in_common(two_programs: li
 
 @pytest.mark.parametrize("name", ["reads_its_own_memory", "becomes_the_first_process", "leaves_the_dead"])
 def test_a_program_in_a_fresh_python_finds_no_more(name: str, tmp_path: Path) -> None:
-    """Where a fork server breaks, programs start without one: their first process is bubblewrap."""
+    """If a fork server breaks, programs start without one, and their first process is bubblewrap."""
     text = (Path(__file__).parent / "answers" / f"{name}.py").read_text(encoding="utf-8")
     text = text.replace("@@GOOD@@", "print('it found nothing')").replace(
         '"net/unix", ', ""
-    )  # the machine's, here
+    )  # here, this table is the machine's
     with NodeProcess(ProgramSpec(write(tmp_path, text), limits=ANSWER_LIMITS), 7, SandboxTier()) as program:
         assert program.wait(60.0)
         assert program.log.text().endswith("it found nothing\n"), program.log.text()
 
 
 def in_its_sandbox(program: int) -> list[int]:
-    """All processes in the process space of a program."""
+    """Return all processes in a program's PID namespace."""
     space = os.stat(f"/proc/{program}/ns/pid").st_ino
     return [
         pid for pid in map(int, filter(str.isdecimal, os.listdir("/proc"))) if process_space(pid) == space
@@ -167,7 +170,7 @@ def descriptors(pid: int) -> list[str]:
 
 
 def is_one_file(first: str, second: str) -> bool:
-    """Whether two descriptors of /proc are the same open file; without kcmp, as far as their looks tell."""
+    """Return whether two descriptors in /proc are the same open file; without kcmp, compare their properties."""
     (_, _, pid, _, number), (_, _, other_pid, _, other) = first.split("/"), second.split("/")
     libc = ctypes.CDLL(None, use_errno=True)
     order = libc.syscall(SYS_KCMP, int(pid), int(other_pid), KCMP_FILE, int(number), int(other))
@@ -178,13 +181,13 @@ def is_one_file(first: str, second: str) -> bool:
 
 
 def shared_memory(pid: int) -> set[str]:
-    """Files that are mapped for all who map them, to write to: device and inode of each."""
+    """Return the device and inode of each file that is mapped as shared and writable."""
     lines = [line.split() for line in Path(f"/proc/{pid}/maps").read_text().splitlines()]
     return {f"{line[3]} {line[4]}" for line in lines if line[1][1] == "w" and line[1][3] == "s"}
 
 
 def test_the_programs_of_one_slot_have_different_seeds_for_hashes() -> None:
-    """With one seed, an answer that depends on the order of a set gets the same verdict each time, and looks steady."""
+    """If an answer depends on the order of a set, one seed for all programs would always give it the same verdict."""
     server = slot_server("sandbox")
     assert server is not None
     seeds: set[str] = set()

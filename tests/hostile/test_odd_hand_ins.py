@@ -1,4 +1,4 @@
-"""Hand-ins that are odd or meant to harm: their names, their folders, their notebooks. None stops the others."""
+"""Odd or malicious hand-ins: their names, folders, and notebooks. None of them stops the others."""
 
 import base64
 import csv
@@ -75,7 +75,7 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, "subprocess.
         (folder / "class" / os.fsdecode(name + b".py")).write_text(CANNOT_RUN)
     isolation = (
         "limits" if sandbox_problem() else "sandbox"
-    )  # the answers do nothing: it is about their names
+    )  # these answers do nothing, because only their names matter
     done = workbook(
         *("grade", folder / "class", "--exercise", STEM, "--out", folder / "out", "--slots", 3),
         *("--format", FORMATS, "--isolation", isolation),
@@ -179,7 +179,10 @@ def test_a_link_is_no_answer(tmp_path: Path, target: str) -> None:
 
 
 def test_a_folder_of_answers_that_is_a_link_leads_to_no_solutions(tmp_path: Path) -> None:
-    """In a class repository, beside the course: `answers` pushed as a link, and a link below a folder of that name."""
+    """In a class repository, the answers are next to the course.
+
+    A student pushes `answers` as a link, or a link in a folder of that name.
+    """
     (tmp_path / "answers").symlink_to(ROOT / "solutions")
     found = hand_in_named("the pushed answer", tmp_path, STEM)
     assert found is not None
@@ -191,7 +194,7 @@ def test_a_folder_of_answers_that_is_a_link_leads_to_no_solutions(tmp_path: Path
 
 
 def test_folders_without_end_stop_nobody(tmp_path: Path) -> None:
-    """Deeper than Python can call itself, and links in circles; s2 is found all the same."""
+    """Folders nested deeper than Python's recursion limit, and circular links; s2 is found anyway."""
     deep = tmp_path / "s1"
     try:
         for _ in range(1100):
@@ -258,7 +261,7 @@ def test_a_notebook_of_nothing_but_brackets_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_large_notebook_is_read_within_bounds_that_the_refusal_names(tmp_path: Path) -> None:
-    """Keys that are all different, and text that is four times as large in memory: the reader bears it, not we."""
+    """Millions of different keys, and text that needs four times its size in memory. Only the reader process grows."""
     path = tmp_path / "s1.ipynb"
     with path.open("w") as file:
         file.write('{"cells": [], "metadata": {')
@@ -285,7 +288,7 @@ def test_a_large_notebook_of_an_honest_student_is_read(tmp_path: Path) -> None:
 def test_no_line_end_hides_a_coding_line_from_those_who_read_the_program(
     tmp_path: Path, line_end: str
 ) -> None:
-    """In UTF-7, `+AAo-` ends a line: Python would run what everybody else takes for a comment."""
+    """In UTF-7, `+AAo-` ends a line, so Python would run what all other readers consider a comment."""
     cell = f"%%answer {STEM}\n{line_end}# coding: utf-7\nx = 1  # +AAo-print('hidden')\n"
     program = tmp_path / "program.py"
     program.write_bytes(text_in(tmp_path, notebook(cell)).encode())
@@ -325,7 +328,7 @@ DEEP = {
 
 @pytest.mark.parametrize("name", DEEP)
 def test_deeply_nested_programs_end_nobody_who_reads_them(tmp_path: Path, name: str) -> None:
-    """In a process of its own: where Python itself crashes, a test says so instead of ending all tests."""
+    """The readers run in a separate process: if Python itself crashes, one test fails instead of ending all tests."""
     path = tmp_path / "s1.py"
     path.write_text(DEEP[name])
     program = (

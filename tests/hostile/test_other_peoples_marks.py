@@ -1,4 +1,4 @@
-"""Hand-ins that reach for another student's mark, or for a better moment: times, aliases, names and logins."""
+"""Hand-ins that try to get another student's points, or an earlier time: times, aliases, names, and logins."""
 
 import csv
 import io
@@ -237,13 +237,13 @@ def test_names_that_an_importer_takes_for_one_login_are_told_apart() -> None:
 
 
 LOOK_ALIKE = ("ada", "\u0430d\u0430", "a\u200bda", "\uff41da", "\u00e9l", "e\u0301l", "o\ufb01r", "ofir")
-"""Cyrillic letters, no width, full width, an accent of its own, a ligature."""
+"""Cyrillic letters, a zero-width space, full-width letters, a separate accent, a ligature."""
 
 
 def test_names_that_look_alike_are_different_students(tmp_path: Path) -> None:
-    """Each has a result and a login of its own, also for an importer that simplifies names.
+    """Each has a result and a login, even for an importer that simplifies names.
 
-    Only the two ways to store one accent are the same name; no hand-in of the two counts then.
+    Only the two ways to store one accent are the same name. Of two such hand-ins, neither counts.
     """
     put(tmp_path / "class", *(f"{name}.py" for name in LOOK_ALIKE))
     results = graded(tmp_path).results

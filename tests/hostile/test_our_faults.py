@@ -1,4 +1,7 @@
-"""Faults that are no student's: criteria that crash, slots that die. They are named, and cost nobody a point."""
+"""Faults that aren't the student's:
+
+criteria that crash, slots that die. They are named, and cost no student a point.
+"""
 
 import contextlib
 import json
@@ -89,7 +92,10 @@ def test_criteria_that_crash_are_our_fault_and_stop_nobody(tmp_path: Path) -> No
 
 
 def test_a_slot_that_dies_again_and_again_is_named_with_its_answer() -> None:
-    """Whatever ends a slot: here the answer does it, which it can do only where it is not sandboxed."""
+    """The answer ends the slot here, which it can do only without a sandbox.
+
+    Other causes are treated in the same way.
+    """
     jobs = [Job("killer", STEM, Answer(KILLER)), Job("next", STEM, Answer("robot = = 1\n"))]
     found = {job.key: judgement for job, judgement in judge_all(jobs, 1)}
     assert (found["killer"].status, found["killer"].score) == ("ungradable", None)
@@ -119,7 +125,7 @@ def test_an_answer_that_keeps_the_judge_from_coming_to_an_end_is_ungradable(
 
 
 def test_a_busy_machine_is_no_reason_to_give_an_answer_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The deadline holds for a slot that always gets a processor."""
+    """The deadline applies only to a slot that always gets a CPU."""
     right = load_exercise(STEM, ROOT).source.solution_code
     with Slot() as slot:
         monkeypatch.setattr(SlotHealth, "slowed_by", lambda _: PATIENCE_S / 0.2)
@@ -132,7 +138,7 @@ def test_a_busy_machine_is_no_reason_to_give_an_answer_up(monkeypatch: pytest.Mo
 
 
 def test_how_much_a_slot_was_slowed_down_is_seen_from_outside(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two processes that never wait share one processor: each of them takes twice as long."""
+    """Two processes that never wait share one CPU, so each takes twice as long."""
     code = "import os\nos.sched_setaffinity(0, {min(os.sched_getaffinity(0))})\nwhile True: pass"
     with contextlib.ExitStack() as stack:
         alike = [subprocess.Popen([sys.executable, "-c", code], start_new_session=True) for _ in range(2)]
@@ -194,7 +200,7 @@ def test_an_answer_that_stops_the_judge_is_not_run_again_by_the_next_command(tmp
 
 
 class _JudgesAll:
-    """Gives the same judgement to all, and remembers whom it judged."""
+    """Gives all answers the same judgment, and notes which ones it judged."""
 
     isolation: Isolation = "limits"
 
@@ -241,7 +247,7 @@ def test_a_slot_that_cannot_be_started_is_no_zero_and_ends_the_run(monkeypatch: 
 
 @pytest.mark.sandbox
 def test_a_slot_that_is_killed_in_the_sandbox_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is killed when it has said that it is ready: before that, its sandbox may not yet end with it."""
+    """It is killed after it has reported that it is ready. Before that, its sandbox might outlive it."""
     started: list[Slot] = []
 
     class KilledAtWork(Slot):
@@ -256,7 +262,7 @@ def test_a_slot_that_is_killed_in_the_sandbox_is_replaced(monkeypatch: pytest.Mo
             return message
 
     monkeypatch.setattr(pool, "Slot", KilledAtWork)
-    answer = Answer("import threading\nthreading.Event().wait(2)\n")  # not judged before the slot is dead
+    answer = Answer("import threading\nthreading.Event().wait(2)\n")  # still running when the slot dies
     [(_, judgement)] = judge_all([Job("s1", STEM, answer)], 1, isolation="sandbox")
     assert len(started) == 2
     assert judgement.status == "graded"

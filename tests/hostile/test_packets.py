@@ -1,5 +1,7 @@
-"""Packets of an answer's own publisher that keep DDS, and so the judge, at work for ever: GAP and HEARTBEAT over 2^61
-messages. All of them go to the loopback of the private network that the slot has for itself."""
+"""An answer's packets that would keep DDS, and so the judge, busy forever: GAP and HEARTBEAT over 2^61 messages.
+
+All of them go to the loopback of the slot's private network.
+"""
 
 import subprocess
 import sys
@@ -76,7 +78,7 @@ def _needs_a_sandbox() -> None:
 def test_packets_over_all_messages_that_there_can_be_stop_no_grader(
     kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Nobody waits until the time for an answer is over: the slot is seen to stand still."""
+    """The judge doesn't wait until the answer's deadline, because it notices that the slot stands still."""
     monkeypatch.setattr(slot_health, "STUCK_S", 1.0)
     solution = load_exercise(STEM, ROOT).source.solution_code
     hostile = Answer(SPEAKS_FOR_DDS.replace("@@KIND@@", kind) + solution)
@@ -120,7 +122,7 @@ def test_a_slot_is_given_up_once_it_waits_for_those_at_work(
 
 
 def test_a_slot_is_given_up_once_it_takes_too_much_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Counted is what judges, wherever the tier has put it, and not the program that is judged."""
+    """Only the memory of the judging process counts, in any tier, not that of the judged program."""
     waits = Answer("import threading\nthreading.Event().wait(60)\n")
     with Slot("sandbox") as slot:
         monkeypatch.setattr(slot_health, "SLOT_BYTES", 1)

@@ -1,4 +1,7 @@
-"""The tiers below the sandbox: right answers keep their marks, hostile ones gain nothing, and what is open is said."""
+"""The tiers below the sandbox.
+
+Right answers keep their points, hostile ones gain nothing, and the known gaps are documented.
+"""
 
 import json
 import os
@@ -41,7 +44,7 @@ IS_ROOT = os.geteuid() == 0
 WEAKER: tuple[Isolation, ...] = ("uid", "landlock", "limits")
 SAYS_USER = "import os\nprint('user', os.getuid(), flush=True)\n"
 
-GOES_ON = {  # what none of these can do, so that each of them is a right answer and no more
+GOES_ON = {  # none of these attempts succeeds, so each program is just a right answer
     "reads others": """
 import glob, os
 places = ["@@SECRET@@"]
@@ -202,7 +205,7 @@ WORDS_FOR = {
 
 
 def as_every_user() -> list[str]:
-    """What to put before a command so that every user may run this Python, when root alone may (it lies in /root)."""
+    """Return the command prefix that lets every user run this Python, even if only root may (it is in /root)."""
     needed = {*interpreter_folders(), Path(sys.prefix), Path(sys.executable), ROOT}
     needed |= {place.resolve() for place in needed}
     folders = {folder for place in needed for folder in place.parents}
@@ -225,15 +228,15 @@ def as_every_user() -> list[str]:
 
 
 def ids_can_be_leased() -> bool:
-    """Whether programs can run under user ids of their own here."""
+    """Return whether programs can run under separate user ids here."""
     return IS_ROOT and (bool(as_every_user()) or closed_folder() is None)
 
 
 @dataclass(frozen=True)
 class Account:
-    """Who runs the grader: a user id, or whoever runs the tests, and a folder of that user's.
+    """The user who runs the grader: another user id, or the user who runs the tests. Includes a folder of that user.
 
-    `around`: put before the command.
+    `around`: the command's prefix.
     """
 
     user: int | None
@@ -265,7 +268,7 @@ class Account:
 
 @pytest.fixture(scope="module")
 def ordinary() -> Iterator[Account]:
-    """An ordinary user: one of our own making when root runs the tests."""
+    """Provide an ordinary user. If root runs the tests, create one."""
     ids = lease_ids() if IS_ROOT else None
     folder = Path(tempfile.mkdtemp(prefix="tiers-"))
     folder.chmod(0o755)
@@ -275,14 +278,14 @@ def ordinary() -> Iterator[Account]:
         yield Account(None if ids is None else ids.user, folder)
     finally:
         if ids is not None:
-            ids.sweep()  # what the grader itself leaves as this user, such as a page of shared memory of its tracing
+            ids.sweep()  # files of the grader itself as this user, such as the shared memory of its tracing
             ids.release()
         shutil.rmtree(folder, ignore_errors=True)
 
 
 @pytest.fixture(scope="module")
 def owner() -> Iterator[Account]:
-    """Whoever runs the tests."""
+    """Provide the user who runs the tests."""
     folder = Path(tempfile.mkdtemp(prefix="tiers-"))
     folder.chmod(0o755)
     yield Account(None, folder)
@@ -291,7 +294,7 @@ def owner() -> Iterator[Account]:
 
 @dataclass(frozen=True)
 class Aftermath:
-    """What came of all answers in one tier, and what was left. `problem`: why the tier does not work here."""
+    """The result of all answers in one tier, and what they left. `problem`: why the tier doesn't work here."""
 
     tier: Isolation
     problem: str | None
@@ -304,7 +307,7 @@ class Aftermath:
 
 
 def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
-    """Answers by name. Those that a tier does not claim to stop are not among them."""
+    """Return the answers by name, without those that a tier doesn't claim to stop."""
     right = ROOT / "tests" / "right_answers" / STEM
     texts = {
         "right": solution,
@@ -349,7 +352,7 @@ def processes_that(said: str) -> list[str]:
 
 
 def what_is_left(run: str, users: set[int], grader: int | None) -> list[str]:
-    """Processes and files of these users, and whatever bears the name of this run."""
+    """Return the processes and files of these users, and everything whose name contains the name of this run."""
     left = [f"process {pid} of {user}" for pid, user in running_users() if user in users]
     left += processes_that(f"left_behind_{run}")
     for folder in ("/tmp", "/var/tmp", "/dev/shm", "/run/lock"):
@@ -360,7 +363,7 @@ def what_is_left(run: str, users: set[int], grader: int | None) -> list[str]:
                 continue
             is_ours = path.name.startswith(
                 ("tiers-", "lttng-ust-wait-")
-            )  # the grader's own, if it is their user
+            )  # the grader's own files, if the grader runs as this user
             if (owner in users and not (is_ours and owner == grader)) or run in path.name:
                 left.append(str(path))
     table = Path("/proc/sysvipc/shm")
@@ -434,7 +437,7 @@ def aftermath(request: pytest.FixtureRequest, ordinary: Account, owner: Account)
 
 
 def works_here(aftermath: Aftermath) -> bool:
-    """Whether the tier works on this machine; where not, that it says why is all there is to see."""
+    """Return whether the tier works on this machine. If not, check that the tier's message gives the reason."""
     if aftermath.problem is None:
         return True
     reasons = {
@@ -564,7 +567,7 @@ def test_a_killed_grader_takes_along_even_what_hides_from_it(
     wait_until(lambda: not processes_that(sleep))
 
 
-# --- the network that answers share -------------------------------------------------------------------------------
+# --- the shared network of answers --------------------------------------------------------------------------------
 
 TAKES_AND_SPEAKS_ON_ALL_DOMAINS = """
 import socket, threading, time
@@ -617,7 +620,7 @@ OWN_NETWORK = (
 def test_no_answer_takes_or_disturbs_the_domain_of_another(
     tier: Isolation, ordinary: Account, owner: Account
 ) -> None:
-    """In a network of their own, so that no other test is disturbed."""
+    """This uses a separate network, so that no other test is disturbed."""
     problem = sandbox_problem()
     if problem is not None:
         pytest.skip(f"no network of its own: {problem}")
@@ -637,7 +640,7 @@ def test_no_answer_takes_or_disturbs_the_domain_of_another(
     assert re.search(r"^took (9|10)\d$", said, re.MULTILINE) and "speaks on" not in said, said
 
 
-# --- a user id of its own, where there is no Landlock ---------------------------------------------------------------
+# --- a separate user id without Landlock ----------------------------------------------------------------------------
 
 
 def test_user_ids_alone_keep_answers_apart_and_traffic_on_this_machine(owner: Account) -> None:
@@ -678,7 +681,7 @@ def test_two_leases_have_no_id_in_common() -> None:
         lease.release()
 
 
-# --- what is said ---------------------------------------------------------------------------------------------------
+# --- messages about tiers -------------------------------------------------------------------------------------------
 
 HARMLESS = {
     "reads a file of the judge": False,

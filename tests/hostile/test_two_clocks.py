@@ -1,4 +1,4 @@
-"""Programs that behave in one way on simulated time, and in another one when a person runs them."""
+"""Programs that behave differently on simulated time than when a person runs them."""
 
 from pathlib import Path
 
@@ -37,18 +37,18 @@ LATCH = """\
 
 
 def right_answer(name: str) -> str:
-    """A right answer that is stored for the proofs."""
+    """Return a right answer from the proofs."""
     return (ROOT / "tests" / "right_answers" / EXERCISE.stem / f"{name}.py").read_text(encoding="utf-8")
 
 
 def changed(old: str, new: str) -> str:
-    """The reference answer with one part replaced."""
+    """Return the reference answer with one part replaced."""
     assert old in RIGHT
     return RIGHT.replace(old, new)
 
 
 def judged(text: str, exercise: Exercise = EXERCISE) -> Judgement:
-    """Judge a program as a grader does."""
+    """Judge a program as in grading."""
     with Observer() as observer:
         return Judge(observer).judge(exercise, Answer(text), soak=True)
 
@@ -103,7 +103,7 @@ def test_what_a_program_does_in_real_time_counts(old: str, new: str, lost: set[s
     ids=["silent", "a burst"],
 )
 def test_what_a_program_does_after_some_real_seconds_counts(late: str) -> None:
-    """Most of its intervals are as they were before."""
+    """Most of its intervals are still correct."""
     head = "import time\n\nBEGAN, PAIRS = time.monotonic(), [2] * 5\n"
     judgement = judged(head + changed(PUBLISH_STATUS, late))
     assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}
@@ -153,7 +153,7 @@ def test_a_callback_that_acts_on_simulated_time_only_is_played_the_script_in_rea
 
 
 def test_a_topic_that_simulated_time_cannot_judge_does_not_shield_another_one() -> None:
-    """The joints come from a thread that waits in real time, so the whole program is judged on the wall clock."""
+    """A thread that waits in real time publishes the joints, so the whole program is judged on the wall clock."""
     publish = '        self.status_pub.publish(String(data="operational"))\n'
     text = right_answer("thread_with_sleep").replace("time.sleep(2.0)", "threading.Event().wait(2.0)")
     assert text.count(publish) == text.count("Event") == 1

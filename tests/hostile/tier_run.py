@@ -1,6 +1,6 @@
-"""Judges answers in one tier, as whatever user runs it: `python -m tests.hostile.tier_run TIER SLOTS < jobs.json`.
+"""Judge answers in one tier, as the current user: `python -m tests.hostile.tier_run TIER SLOTS < jobs.json`.
 
-`jobs.json` maps names to answers. Prints what came of each, as JSON.
+`jobs.json` maps names to answers. The results are printed as JSON.
 """
 
 import json
@@ -23,7 +23,7 @@ def main() -> None:
     tier = named_tier(sys.argv[1])
     jobs = [Job(name, STEM, Answer(text)) for name, text in json.load(sys.stdin).items()]
     told: dict[str, Any] = {"problem": tier_problem(tier), "judgements": {}}
-    # What a tier keeps a program from shows before its real seconds.
+    # The effects of a tier show before a program's real seconds, so these are skipped.
     judge = partial(LocalSlots(int(sys.argv[2]), tier).judge_all, soak=False)
     if told["problem"] is None:
         for job, tries in judge_until_sure(jobs, judge):

@@ -1,4 +1,4 @@
-"""What a grader leaves behind: its processes, and its files in the common places."""
+"""Find what a grader leaves behind: its processes, and its files in shared places."""
 
 import contextlib
 import os
@@ -11,16 +11,17 @@ from workbook.isolation.memory_groups import find_hierarchy, groups_problem
 PLACES = (Path("/tmp"), Path("/dev/shm"))
 _UUID = re.compile(
     r"[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"
-)  # names by chance, of whomever: no process ids
+)  # random names of any process: their digits aren't process ids
 
 
 class Traces:
-    """Follows one grader among all that happens on the machine.
+    """Distinguishes one grader from everything else on the machine.
 
     The grader is started with `home` as its HOME, which no other process has. Slots and sandboxes inherit it, but
-    programs in sandboxes do not: those are known by the network that they share with their slot. Call `look` now and
-    then while it runs, because a slot that has gone cannot be asked for its network any more. A network that was seen
-    is kept open: the kernel gives the number of one that has gone to the next, which may be another grader's.
+    programs in sandboxes don't. Such a program is recognized by the network that it shares with its slot.
+
+    Call `look` regularly while the grader runs, because the network of an ended slot is unknown. Each network that was
+    found is kept open. Otherwise, the kernel could reuse its number, even for another grader's network.
     """
 
     def __init__(self, home: Path) -> None:
@@ -31,7 +32,7 @@ class Traces:
         weakref.finalize(self, _close_all, self._networks)
 
     def look(self) -> dict[int, str]:
-        """Processes that belong to the grader, with their command lines."""
+        """Return the grader's processes, with their command lines."""
         marked = {pid for pid in _all_pids() if self._mark in _read(pid, "environ").split(b"\0")}
         for pid in marked:
             self._keep_network(pid)
@@ -40,7 +41,7 @@ class Traces:
         return {pid: _read(pid, "cmdline").replace(b"\0", b" ").decode(errors="replace") for pid in found}
 
     def _keep_network(self, pid: int) -> None:
-        """Open the network of a process and keep it by its number, except our own."""
+        """Open a process's network and keep it by its number, unless it is our own."""
         with contextlib.suppress(OSError):
             held = os.open(f"/proc/{pid}/ns/net", os.O_RDONLY | os.O_CLOEXEC)
             number = os.fstat(held).st_ino
@@ -50,7 +51,7 @@ class Traces:
                 self._networks[number] = held
 
     def files(self) -> list[Path]:
-        """What lies in the common places, or among memory cgroups, and is named after one of its processes."""
+        """Return files in shared places, and memory cgroups, whose names contain the id of one of its processes."""
         return [
             path
             for place in (*PLACES, *_groups())
@@ -65,7 +66,7 @@ class Traces:
 
 
 def _groups() -> list[Path]:
-    """Where memory cgroups of ours are; nowhere on a machine without."""
+    """Return where our memory cgroups are; empty on a machine without them."""
     return [] if groups_problem() is not None else [find_hierarchy().own]
 
 

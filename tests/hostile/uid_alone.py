@@ -1,6 +1,7 @@
-"""Two programs under user ids of their own, without Landlock: `python -m tests.hostile.uid_alone RUN`.
+"""Run two programs under separate user ids, without Landlock: `python -m tests.hostile.uid_alone RUN`.
 
-The first is a right answer, the second tries to get at it and leaves things about. Prints what was seen, as JSON.
+The first is a right answer. The second tries to attack it, and leaves files and processes behind. The observations are
+printed as JSON.
 """
 
 import json
@@ -48,7 +49,7 @@ time.sleep(600)
 
 
 def udp_addresses(user: int) -> list[str]:
-    """Local addresses of a user's UDP sockets, as the kernel writes them."""
+    """Return the local addresses of a user's UDP sockets, in the kernel's format."""
     rows = [
         line.split()
         for table in ("udp", "udp6")

@@ -1,4 +1,4 @@
-"""A hub with simulated students on this machine, for tests and for measuring."""
+"""Run a hub with simulated students on this machine, for tests and measurements."""
 
 import os
 import signal
@@ -31,7 +31,7 @@ Returned = TypeVar("Returned")
 
 
 def wait_until(holds: Callable[[], bool], what: str) -> None:
-    """Wait for a condition that no event tells of. Raises AssertionError."""
+    """Wait for a condition that has to be polled. Raises AssertionError if it doesn't become true in time."""
     deadline = time.monotonic() + LONGEST_WAIT_S
     while not holds():
         assert time.monotonic() < deadline, f"after {LONGEST_WAIT_S:g} s: {what}"
@@ -41,13 +41,13 @@ def wait_until(holds: Callable[[], bool], what: str) -> None:
 def at_once(
     work: Callable[[SimulatedStudent], Returned], students: Sequence[SimulatedStudent]
 ) -> list[Returned]:
-    """Have all students do something at the same time."""
+    """Let all students do something at the same time."""
     with ThreadPoolExecutor(len(students)) as threads:
         return list(threads.map(work, students))
 
 
 class ClassServer:
-    """A hub of its own, below a folder."""
+    """A hub whose files are all below one folder."""
 
     def __init__(self, folder: Path, *options: str, check_slots: int | None = None) -> None:
         self.folder = folder
@@ -59,11 +59,11 @@ class ClassServer:
 
     @property
     def address(self) -> str:
-        """Where browsers find it."""
+        """The hub's address for browsers."""
         return f"http://127.0.0.1:{self.port}"
 
     def start(self) -> None:
-        """Start the hub, and wait until it answers."""
+        """Start the hub, and wait until it responds."""
         command = [
             sys.executable,
             "-m",
@@ -98,41 +98,41 @@ class ClassServer:
             return False
 
     def stop(self) -> None:
-        """End the hub as a service manager would. Servers stay."""
+        """End the hub as a service manager would. The students' servers keep running."""
         if self._hub is not None:
             self._hub.send_signal(signal.SIGTERM)
             self._hub.wait(LONGEST_WAIT_S)
             self._hub = None
 
     def student(self, name: str, *, log_in: bool = True) -> SimulatedStudent:
-        """A browser at this hub."""
+        """Log in as a student."""
         password = PASSWORD_OF_INSTRUCTORS if name == INSTRUCTOR else PASSWORD
         return SimulatedStudent(self.address, name, password if log_in else None)
 
     def user_id(self, name: str) -> int:
-        """The user id of a student."""
+        """Return a student's user id."""
         return (self.folder / STUDENTS / name / "home").stat().st_uid
 
     def processes(self, name: str) -> list[int]:
-        """What runs as a student."""
+        """Return the ids of all processes that run as this student."""
         return [pid for pid, user in running_users() if user == self.user_id(name)]
 
     def gates(self) -> list[psutil.Process]:
-        """The processes that hold the servers, which end with them."""
+        """Return the gates: each holds a student's server, which ends with it."""
         return [one for one in psutil.process_iter() if f"--hub={self.port + 1}" in _command_line(one)]
 
     def groups(self) -> list[Path]:
-        """Cgroups of students' servers."""
+        """Return the cgroups of the students' servers."""
         return [*Path("/sys/fs/cgroup").rglob(f"{PREFIX}{self.port + 1}-*")]
 
     def left(self) -> list[object]:
-        """Processes and cgroups of students that are still there, and files in folders for everybody."""
+        """Return the gates, the students' processes, and the students' cgroups that are still there."""
         first, last = FIRST_ID, FIRST_ID + 1000
         users = [pid for pid, user in running_users() if first <= user < last]
         return [*self.gates(), *users, *self.groups()]
 
     def end_everything(self) -> None:
-        """End the hub and all servers, whatever state they are in."""
+        """End the hub and all servers, in any state."""
         self.stop()
         for gate in self.gates():
             gate.kill()
@@ -147,7 +147,7 @@ def _command_line(process: psutil.Process) -> list[str]:
 
 
 def _three_ports() -> int:
-    """The first of three ports in a row that nobody listens to."""
+    """Return the first of three consecutive ports on which no process listens."""
     while True:
         with socket.socket() as any_port:
             any_port.bind(("127.0.0.1", 0))
@@ -162,9 +162,10 @@ def _three_ports() -> int:
 
 @contextmanager
 def class_server(folder: Path, *options: str, check_slots: int | None = None) -> Iterator[ClassServer]:
-    """Run a hub, and end all of it afterward. With `check_slots`, it judges answers on so many slots.
+    """Run a hub, and end all of it afterward. With `check_slots`, the hub judges answers on that many slots.
 
-    What a stopped hub leaves behind becomes ours, and we don't reap it: as with a first process that isn't an init.
+    The orphans of a stopped hub become our children, and we don't reap them. The same happens in a container whose
+    first process isn't an init.
     """
     adopt_orphans()
     server = ClassServer(folder, *options, check_slots=check_slots)

@@ -1,4 +1,4 @@
-"""How much memory a class takes, and how long it waits for its cards: simulated students, each with a server."""
+"""Measure how much memory a class takes and how long it waits for its cards. Each simulated student has a server."""
 
 import os
 import statistics
@@ -34,9 +34,9 @@ class Checks:
 
 @dataclass(frozen=True)
 class MeasuredClass:
-    """Memory of one student in MB, and seconds.
+    """Memory per student (MB), and waiting times (s).
 
-    `idle`: a server without a kernel. `reading`: with a kernel that has run a part of a lesson. `checking`: the most
+    `idle`: a server without a kernel. `reading`: with a kernel that has run part of a lesson. `checking`: the most
     that one student had while kernels judged their own answers. `starts`: from the click to a server that answers.
     `checks`: for each way to check, from `%check` to its card. `free`: memory (MB) that was left at the worst moment.
     """
@@ -106,7 +106,7 @@ def measure(students: int, stem: str, answer: str) -> MeasuredClass:
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """Time that some work takes."""
+    """Return how many seconds some work takes."""
     began = time.monotonic()
     work()
     return time.monotonic() - began
@@ -121,7 +121,7 @@ def read(student: SimulatedStudent, kernel: str, stem: str) -> None:
 
 
 def megabytes(server: ClassServer, class_: Sequence[SimulatedStudent]) -> list[float]:
-    """Add up the memory of each student's processes and gate. If several share a page, it counts in parts."""
+    """Return the memory (MB) of each student's processes and gate. Shared pages count proportionally."""
     processes = {one.pid: one for one in psutil.process_iter(["ppid", "uids"])}
     gates = {one.pid for one in server.gates()}
     families: dict[int, list[psutil.Process]] = {gate: [] for gate in gates}
@@ -138,7 +138,7 @@ def megabytes(server: ClassServer, class_: Sequence[SimulatedStudent]) -> list[f
 
 
 def share_of_memory(process: psutil.Process) -> int:
-    """The proportional share of a process in bytes; none when it has ended."""
+    """Return a process's proportional share of memory in bytes, or 0 if the process has ended."""
     try:
         return int(process.memory_full_info().pss)
     except psutil.Error:

@@ -1,4 +1,4 @@
-"""A student without a browser: logs in, has a server started, opens a kernel, and runs cells in it."""
+"""Simulate a student without a browser: log in, start a server, open a kernel, and run cells in it."""
 
 import json
 import time
@@ -18,7 +18,7 @@ POLL_S = 0.2
 
 @dataclass
 class Ran:
-    """What running a cell has printed, what it has displayed as text, and the error if there was one."""
+    """The outputs of a cell: printed text, displayed text, and the error if there was one."""
 
     text: str = ""
     shown: str = ""
@@ -29,7 +29,7 @@ class SimulatedStudent:
     """A browser session at a hub."""
 
     def __init__(self, address: str, name: str, password: str | None) -> None:
-        """Log in, unless there is no password."""
+        """Log in. Without a password, don't."""
         self.address, self.name = address, name
         self._session = requests.Session()
         if password is None:
@@ -41,7 +41,7 @@ class SimulatedStudent:
         answer.raise_for_status()
 
     def get(self, path: str) -> requests.Response:
-        """Open an address of the hub, as this student."""
+        """Request an address of the hub as this student."""
         return self._session.get(self.address + path)
 
     def send(self, method: str, path: str, data: Any = None) -> requests.Response:
@@ -56,12 +56,12 @@ class SimulatedStudent:
 
     @property
     def has_server(self) -> bool:
-        """Whether the hub says that the server answers."""
+        """Return whether the student's server is ready, according to the hub."""
         servers = self.get(f"/hub/api/users/{self.name}").json()["servers"]
         return bool(servers.get("", {}).get("ready"))
 
     def start_server(self) -> None:
-        """Have the server started unless it runs, wait until it answers, and get its cookie."""
+        """Start the server unless it runs, wait until it responds, and get its cookie."""
         if not self.has_server:
             self.send("POST", f"/hub/api/users/{self.name}/server").raise_for_status()
         deadline = time.monotonic() + LONGEST_START_S
@@ -71,7 +71,7 @@ class SimulatedStudent:
         self.get(f"/user/{self.name}/lab").raise_for_status()
 
     def stop_server(self) -> None:
-        """Have the server ended, and wait for that."""
+        """Stop the server, and wait until it has ended."""
         self.send("DELETE", f"/hub/api/users/{self.name}/server").raise_for_status()
         deadline = time.monotonic() + LONGEST_START_S
         while self.get(f"/hub/api/users/{self.name}").json()["servers"]:
@@ -79,17 +79,17 @@ class SimulatedStudent:
             time.sleep(POLL_S)
 
     def notebook(self, path: str) -> dict[str, Any]:
-        """The content of a notebook in the work folder."""
+        """Return the content of a notebook in the work folder."""
         content: dict[str, Any] = self.get(f"/user/{self.name}/api/contents/{path}").json()["content"]
         return content
 
     def start_kernel(self, path: str = "notebooks") -> str:
-        """Start a kernel in a folder. Returns its id."""
+        """Start a kernel in a folder, and return its id."""
         return str(self.send("POST", f"/user/{self.name}/api/kernels", {"path": path}).json()["id"])
 
     @contextmanager
     def connected(self, kernel: str) -> Iterator["Connection"]:
-        """A connection to a kernel."""
+        """Connect to a kernel."""
         cookies = "; ".join(f"{one.name}={one.value}" for one in self._session.cookies)
         url = f"{self.address.replace('http', 'ws', 1)}/user/{self.name}/api/kernels/{kernel}/channels"
         socket = websocket.create_connection(url, cookie=cookies, timeout=LONGEST_CELL_S)

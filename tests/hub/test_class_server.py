@@ -1,4 +1,7 @@
-"""Four simulated students at a real JupyterHub, each with a server and a kernel: what they can do, and what not."""
+"""Four simulated students at a real JupyterHub, each with a server and a kernel:
+
+what they can do, and what they can't.
+"""
 
 import importlib.util
 import json
@@ -92,7 +95,7 @@ def test_each_student_runs_lesson_09_and_checks_answers(
         assert "Full marks: 10 of 10 points" in right.shown, right
 
 
-# --- each for themselves ---------------------------------------------------------------------------------------
+# --- students are isolated from each other ---------------------------------------------------------------------
 
 
 SAME_DOMAIN = """
@@ -177,10 +180,10 @@ def test_no_student_sees_files_processes_or_tokens_of_another_one(
         seen = json.loads(ran.text)
         assert seen["tokens"] == 1
         assert seen["readable"] == []
-        assert seen["users"] == [0, own]  # the first one is bubblewrap's
+        assert seen["users"] == [0, own]  # process 0 is bubblewrap's
         assert seen["home"] == [student.name]
         assert seen["links"] == ["lo"]
-        assert len(seen["listening"]) == 2  # the hub's own API, and this student's server
+        assert len(seen["listening"]) == 2  # the hub's API, and this student's server
         assert hub.port + 1 in seen["listening"]
         for other in others:
             assert student.get(f"/user/{other}/api/contents/answers").status_code == 403
@@ -243,7 +246,7 @@ for folder in ("/tmp", "/dev/shm"):
     assert in_kernel(students[0], kernels, "import os" + fill) == "No space left on device\n" * 2
 
 
-# --- the course, and who teaches it ----------------------------------------------------------------------------
+# --- the course and its teachers -------------------------------------------------------------------------------
 
 
 def test_the_course_is_read_only(students: list[SimulatedStudent], kernels: dict[str, str]) -> None:
@@ -278,7 +281,7 @@ for command in ("workbook grade --exercise 09 hand_ins --out grades --format htm
     instructor.stop_server()
 
 
-# --- ends ------------------------------------------------------------------------------------------------------
+# --- restarts and ends -----------------------------------------------------------------------------------------
 
 
 def test_a_restart_of_the_hub_leaves_kernels_running(
@@ -306,7 +309,7 @@ def test_work_outlives_the_server_and_an_update_of_the_course(hub: ClassServer) 
     student.stop_server()
     work = hub.folder / "students" / student.name / "work"
     lesson = work / "notebooks" / f"{STEM}.ipynb"
-    lesson.unlink()  # as if the course had a lesson more now
+    lesson.unlink()  # as if the course had gained a lesson
     student.start_server()
     assert student.get(path).json()["content"]["cells"][0]["source"] == "Ben's own notes"
     assert lesson.stat().st_uid == hub.user_id(student.name)

@@ -1,4 +1,4 @@
-"""The host runs an answer of any reasonable shape as `__main__`, and gets out of its way."""
+"""The host runs an answer of any reasonable form as `__main__`, and doesn't interfere with it."""
 
 import os
 import signal
@@ -172,7 +172,7 @@ def test_a_traceback_from_a_main_that_was_called_for_the_student_has_no_host_in_
 
 
 def test_a_traceback_through_what_the_host_has_wrapped_shows_the_students_line(run: Run) -> None:
-    """The host watches rclpy's Context.init, so one of its frames stands between the program and rclpy."""
+    """The host wraps rclpy's Context.init, so one of its frames is between the program and rclpy."""
     done = run("import rclpy\nrclpy.init()\nrclpy.init()\n")
     assert done.returncode == 1
     assert 'answer.py", line 3, in <module>' in done.stderr
@@ -271,7 +271,7 @@ def test_a_limit_above_the_hard_one_is_cut_and_no_error(run: Run) -> None:
 
 
 def test_the_program_dies_with_the_process_that_started_it(tmp_path: Path, domain: int) -> None:
-    """SIGKILL to the judge must not leave the answer behind."""
+    """If SIGKILL ends the judge, the answer must end, too."""
     program = write(tmp_path, "import os, time\nprint(os.getpid(), flush=True)\ntime.sleep(600)\n")
     parent = subprocess.Popen(
         [

@@ -1,4 +1,4 @@
-"""Tables of the kernel, as it writes them and as it might."""
+"""The kernel's tables: in the format that it writes, and in other possible ones."""
 
 import time
 from pathlib import Path

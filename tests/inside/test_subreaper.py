@@ -1,4 +1,4 @@
-"""Whoever keeps a command: it ends as the command does, and nothing below it outlives it or its owner."""
+"""A process that keeps a command: it ends with the command, and no descendant outlives it or its owner."""
 
 import os
 import signal

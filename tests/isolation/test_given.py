@@ -1,4 +1,4 @@
-"""The trained model that an exercise gives can be imported where files are hidden, and nothing else of the course."""
+"""An exercise's trained model can be imported even if files are hidden, but nothing else of the course can."""
 
 import os
 import subprocess
@@ -45,7 +45,7 @@ FINDS = ["here: ball, brick, cup, plate", "in a process of its own: ball, brick,
 
 
 def said(confinement: Confinement, tmp_path: Path) -> Sequence[str]:
-    """The lines that the program prints in a confinement."""
+    """Return the lines that the program prints in a confinement."""
     program = tmp_path / "answer.py"
     program.write_text(IMPORTS, encoding="utf-8")
     path = confinement.bring(program, program.name)

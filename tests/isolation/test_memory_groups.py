@@ -1,4 +1,4 @@
-"""Memory cgroups: how they are found and made on a kernel of paper, in both versions."""
+"""Memory cgroups: how they are found and created in a fake kernel, in both versions."""
 
 import errno
 import os
@@ -68,7 +68,7 @@ TABLES = {
 
 
 class PaperKernel:
-    """Makes and removes groups in an ordinary folder, with the files that the kernel would put there."""
+    """Creates and removes groups in an ordinary folder, with the files that a real kernel would put there."""
 
     def __init__(self, version: int, mount: Path, patch: pytest.MonkeyPatch) -> None:
         self.version = version
@@ -96,7 +96,10 @@ class PaperKernel:
         self._rmdir(group)
 
     def write(self, name: str, text: str) -> None:
-        """As the kernel does: a group that holds processes is not divided, and who joins one leaves another."""
+        """Write as the kernel does.
+
+        A group that contains processes can't be divided, and a process that joins a group leaves its old one.
+        """
         path = Path(name)
         procs = path.parent / "cgroup.procs"
         if path.name == "cgroup.subtree_control":
@@ -123,7 +126,7 @@ def second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> PaperKernel:
 
 
 def told(folder: Path, version: int, path: str, root: str = "/") -> tuple[str, str]:
-    """Two tables of the kernel as files."""
+    """Write two of the kernel's tables to files, and return their paths."""
     for name, text in zip(("groups", "mounts"), TABLES[version], strict=True):
         (folder / name).write_text(text.format(path=path, root=root, mount=folder))
     return str(folder / "groups"), str(folder / "mounts")
@@ -276,7 +279,7 @@ def test_an_old_kernel_that_counts_no_kills_is_told(tmp_path: Path, monkeypatch:
 
 @pytest.fixture
 def without_groups(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """On this machine no memory cgroup can be had."""
+    """Simulate a machine without memory cgroups."""
     missing = str(Path("/no/such/table"))
     monkeypatch.setattr(memory_groups, "find_hierarchy", lambda: find_hierarchy(missing, missing))
     memory_groups._groups_problem.cache_clear()
@@ -295,7 +298,9 @@ def test_slots_share_one_keeper_which_ends_with_the_last(
     class Kept:
         def __init__(self, own: Path) -> None:
             made.append(own)
-            with suppress(threading.BrokenBarrierError):  # alone, as it should be
+            with suppress(
+                threading.BrokenBarrierError
+            ):  # times out, because only one thread at a time should be here
                 both.wait(0.5)
             self.path = own
 
@@ -332,7 +337,7 @@ def test_without_a_cgroup_memory_is_watched_and_that_is_said(without_groups: Non
 
 @pytest.fixture
 def alive(tmp_path: Path) -> Iterator[KeptGroup]:
-    """A group that its keeper has made, where a kernel of paper is not needed: in an ordinary folder."""
+    """Provide a group that its keeper has created in an ordinary folder. Its tests don't need the fake kernel."""
     kept = KeptGroup(tmp_path)
     yield kept
     kept.close()
@@ -351,7 +356,7 @@ def test_the_groups_of_killed_graders_are_swept_and_no_others(alive: KeptGroup, 
 
 
 def test_a_group_goes_with_its_grader_and_all_that_is_below(tmp_path: Path) -> None:
-    """However suddenly: its keeper sees that its input is closed."""
+    """Even if the grader ends suddenly, the group's keeper notices that its own input is closed."""
     makes = (
         "import sys; from pathlib import Path; from workbook.isolation.memory_groups import KeptGroup, LeasedGroups; "
         "kept = KeptGroup(Path(sys.argv[1])); print(LeasedGroups(kept.path).path, flush=True); input()"
@@ -381,7 +386,7 @@ def test_a_group_that_was_swept_before_it_was_locked_is_made_again(
     mkdir = os.mkdir
 
     def sometimes(path: str) -> None:
-        """The first time, another grader is quicker."""
+        """Create no folder at the first call, as if another grader had already removed it."""
         if swept:
             mkdir(path)
         swept.append(path)

@@ -1,4 +1,4 @@
-"""Where no filter of system calls can be installed, the doctor, the grader and each result say so."""
+"""If no filter for system calls can be installed, the doctor, the grader, and each result say so."""
 
 import os
 import subprocess
@@ -25,7 +25,7 @@ conditions = [one_of(0, [PR_SET_SECCOMP]), *([not_zero(2)] if sys.argv[1] == "la
 install(compiled((), (), [case(PRCTL, errno.EINVAL, *conditions)]))
 os.execv(sys.executable, [sys.executable, *sys.argv[2:]])
 """
-"""Runs Python where the kernel refuses filters: "always", or "late", when one is installed and not when it is asked."""
+"""Runs Python in a kernel that refuses filters: "always", or "late": not when it is asked, only at the installation."""
 
 pytestmark = [
     pytest.mark.skipif(not knows_this_machine(), reason="the filter does not know this machine"),
@@ -34,7 +34,7 @@ pytestmark = [
 
 
 def refused(when: str, *arguments: object) -> "subprocess.CompletedProcess[str]":
-    """Run Python with these arguments in a process that may install no more filters."""
+    """Run Python with these arguments in a process that may not install any more filters."""
     command = [sys.executable, "-c", REFUSES, when, *map(str, arguments)]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 

@@ -1,6 +1,7 @@
-"""A sandbox whose owner was killed at the wrong moment: nothing ties it to anybody, so it must end by itself.
+"""A sandbox whose owner was killed at the wrong moment must end by itself, because it is tied to no process.
 
-bubblewrap asks the kernel to end the sandbox with its owner. Who is killed just before that leaves a sandbox behind.
+bubblewrap asks the kernel to end the sandbox with its owner. An owner that is killed just before that leaves a sandbox
+behind.
 """
 
 import os

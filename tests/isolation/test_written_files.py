@@ -1,4 +1,4 @@
-"""What a program has written is counted: by folder and by user, however it is hidden."""
+"""A program's written data is counted by folder and by user, even if the program hides it."""
 
 import os
 import subprocess

@@ -1,6 +1,6 @@
-"""What the texts say against the style: words of the list, and sentences that are too long.
+"""Find texts that break the style: words from the list, and sentences that are too long.
 
-`python -m tests.language.complaints` prints each with its place. `allowed.toml` names what may stand, with the reason.
+`python -m tests.language.complaints` prints each with its place. `allowed.toml` lists exceptions with their reasons.
 """
 
 import tomllib
@@ -34,7 +34,7 @@ from tests.language.word_list import RULES
 
 ALLOWED = Path(__file__).with_name("allowed.toml")
 MOST_WORDS = 25
-"""In a sentence."""
+"""Per sentence."""
 LONG_SENTENCE = "long sentence"
 """The rule's name in `allowed.toml`."""
 SOURCES: Sequence[tuple[Sequence[str], Callable[[Path], Iterator[Passage]]]] = (
@@ -47,12 +47,12 @@ SOURCES: Sequence[tuple[Sequence[str], Callable[[Path], Iterator[Passage]]]] = (
     (TEMPLATES, template_passages),
 )
 EXPLANATIONS = ((EXPLAINED, comment_passages),)
-"""Docstrings and comments: the authors' own words."""
+"""Docstrings and comments."""
 
 
 @cache
 def all_passages() -> tuple[Passage, ...]:
-    """Every passage that a person reads."""
+    """Return every passage that a person reads."""
     return tuple(
         passage
         for patterns, passages in (*SOURCES, *EXPLANATIONS)
@@ -63,18 +63,18 @@ def all_passages() -> tuple[Passage, ...]:
 
 @cache
 def exceptions() -> list[dict[str, str]]:
-    """What is allowed for a reason: the rule, the file, a piece of the text, the reason."""
+    """Return the exceptions: the rule, the file, a piece of the text, the reason."""
     found: list[dict[str, str]] = tomllib.loads(ALLOWED.read_text(encoding="utf-8")).get("allowed", [])
     return found
 
 
 def is_allowed(rule: str, path: str, text: str) -> bool:
-    """Whether an exception covers a rule in a text of a file."""
+    """Return whether an exception covers a rule in a text of a file."""
     return any(one["rule"] == rule and one["file"] == path and one["text"] in text for one in exceptions())
 
 
 def broken_rules(passage: Passage) -> Iterator[tuple[str, str, str]]:
-    """What a passage says against the style: the rule, the text that breaks it, and words for the author."""
+    """Return how a passage breaks the style: the rule, the text that breaks it, and a message for the author."""
     for rule, old in RULES.items():
         asked = passage.text if old.questions else without_questions(passage)
         for words in old.found(asked):
@@ -85,7 +85,7 @@ def broken_rules(passage: Passage) -> Iterator[tuple[str, str, str]]:
 
 
 def complaints(passages: Iterable[Passage]) -> Iterator[str]:
-    """Each place that breaks a rule and that no exception covers."""
+    """Return each place that breaks a rule and isn't covered by an exception."""
     for passage in passages:
         for rule, text, words in broken_rules(passage):
             if not is_allowed(rule, passage.path, text):

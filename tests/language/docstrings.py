@@ -17,13 +17,13 @@ ATTRIBUTES = ("property", "cached_property")
 
 
 def is_verb(word: str) -> bool:
-    """Return whether a first word may be a verb in the imperative: neither a known other word, nor one with an s."""
+    """Return whether a first word may be an imperative: it isn't in NOT_VERBS, and doesn't end in a single s."""
     bare = word.rstrip(".,:;")
     return bare[:1].isupper() and bare not in NOT_VERBS and (not bare.endswith("s") or bare.endswith("ss"))
 
 
 def without_verbs(path: Path) -> Iterator[str]:
-    """Yield the place and the first line of each such docstring. Properties are named like attributes, so they may."""
+    """Yield the place and first line of each such docstring. Properties are skipped, because they describe a value."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and not _is_attribute(node):
             said = ast.get_docstring(node)
@@ -36,5 +36,5 @@ def _is_attribute(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
 
 
 def all_without_verbs(patterns: Sequence[str] = FUNCTIONS) -> list[str]:
-    """Return the complaints on all modules."""
+    """Return the complaints about all modules."""
     return [found for path in paths(patterns) for found in without_verbs(path)]

@@ -21,21 +21,21 @@ CODE = (
     *("lesson_nodes/**/*.py", "workbook/**/*.py"),
 )
 EXPLAINED = ("workbook/**/*.py",)
-"""The modules whose docstrings and comments are read. Others are part of answers, recordings, or lessons' hashes."""
+"""The modules whose docstrings and comments are checked. Other modules are part of answers, recordings, or hashes."""
 TEMPLATES = ("workbook/**/*.j2",)
 NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/")
 
 FEWEST_WORDS = 3
-"""A string of the code with fewer words is a name, a key or a label."""
+"""A string in code with fewer words is a name, a key, or a label."""
 CODE_WORD = "Code"
-"""Stands in a passage for a piece of code: one word, which may begin a sentence."""
+"""Replaces a piece of code in a passage: one word, which may begin a sentence."""
 VALUE_WORD = "5"
-"""Stands in a passage for a value that is put in."""
+"""Replaces an inserted value in a passage."""
 
 
 @dataclass(frozen=True)
 class Passage:
-    """A paragraph, a table cell, a list item or a string: where it begins, and its words without code and marks."""
+    """A paragraph, a table cell, a list item, or a string: where it begins, and its words without code and markup."""
 
     path: str
     line: int
@@ -43,12 +43,12 @@ class Passage:
 
     @property
     def where(self) -> str:
-        """The place as an editor opens it."""
+        """The place, in a form that editors can open."""
         return f"{self.path}:{self.line}"
 
 
 def paths(patterns: Sequence[str]) -> list[Path]:
-    """The files of some patterns, in order, without those that nobody reads."""
+    """Return the files that match the patterns, sorted, except those without text for people."""
     found = {path for pattern in patterns for path in ROOT.glob(pattern)}
     return sorted(path for path in found if not name(path).startswith(NOT_READ))
 
@@ -58,12 +58,12 @@ def name(path: Path) -> str:
 
 
 def page_passages(path: Path) -> Iterator[Passage]:
-    """The passages of a markdown page."""
+    """Yield the passages of a Markdown page."""
     yield from markdown(name(path), 1, path.read_text(encoding="utf-8").splitlines())
 
 
 def script_passages(path: Path) -> Iterator[Passage]:
-    """The passages of a percent script: its header, its markdown cells, and the comments in its code."""
+    """Yield the passages of a percent script: its header, its Markdown cells, and the comments in its code."""
     cell: list[str] = []
     begin, reads = 1, "header"
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -77,7 +77,7 @@ def script_passages(path: Path) -> Iterator[Passage]:
 
 
 def museum_passages(path: Path) -> Iterator[Passage]:
-    """The passages of a museum's file: what goes wrong, and the terms."""
+    """Yield the passages of a museum file: what goes wrong, and the terms."""
     text = path.read_text(encoding="utf-8")
     for entry in (
         one for several in tomllib.loads(text).values() if isinstance(several, list) for one in several
@@ -89,7 +89,7 @@ def museum_passages(path: Path) -> Iterator[Passage]:
 
 
 def catalog_passages(path: Path) -> Iterator[Passage]:
-    """The words of a catalog of causes, one text a line. Of `{count|is|are}`, the form for many is read."""
+    """Yield the texts of a catalog of causes, one per line. From `{count|is|are}`, the plural is used."""
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if re.match(r"[a-z][a-z-]* = ", line):
             for text in tomllib.loads(line).values():
@@ -99,13 +99,13 @@ def catalog_passages(path: Path) -> Iterator[Passage]:
 
 
 def string_passages(path: Path) -> Iterator[Passage]:
-    """The strings of a module that hold words, except its docstrings."""
+    """Yield the strings of a module that contain words, except its docstrings."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     yield from _strings(name(path), 0, tree)
 
 
 def comment_passages(path: Path) -> Iterator[Passage]:
-    """Yield the docstrings of a module, and its comments. Comment lines below one another are one passage."""
+    """Yield a module's docstrings and comments. Consecutive comment lines are one passage."""
     text = path.read_text(encoding="utf-8")
     for node in ast.walk(ast.parse(text)):
         if (
@@ -134,7 +134,7 @@ def _comments(path: str, text: str) -> Iterator[Passage]:
 
 
 def template_passages(path: Path) -> Iterator[Passage]:
-    """Yield the words of a template, without its tags. Each value that is put in counts as one word."""
+    """Yield the words of a template, without its tags. Each inserted value counts as one word."""
     text = re.sub(
         r"\{#.*?#\}|<(style|script)\b.*?</\1>", _only_lines, path.read_text(encoding="utf-8"), flags=re.DOTALL
     )
@@ -149,7 +149,10 @@ def _only_lines(found: re.Match[str]) -> str:
 
 
 def _strings(path: str, first: int, tree: ast.Module) -> Iterator[Passage]:
-    """The strings of code. A program inside a string is read as code. `first`: how many lines stand before it."""
+    """Yield the strings of code.
+
+    A program inside a string is parsed as code. `first`: the number of lines before it.
+    """
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     silent |= {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
     for node in ast.walk(tree):
@@ -168,7 +171,7 @@ def _strings(path: str, first: int, tree: ast.Module) -> Iterator[Passage]:
 
 
 def _program(text: str) -> ast.Module | None:
-    """A text of several lines as a Python program; None if it is none."""
+    """Parse a multi-line text as a Python program; None if it isn't one."""
     if "\n" not in text.strip():
         return None
     try:
@@ -178,15 +181,16 @@ def _program(text: str) -> ast.Module | None:
 
 
 def is_prose(text: str) -> bool:
-    """Whether a string holds words for a person: no pattern, no path, no piece of code."""
+    """Return whether a string contains words for a person, not a pattern, a path, or code."""
     words = re.findall(r"(?<![\w/.-])[A-Za-z][a-z']*(?![\w/=(])", text)
     return len(words) >= FEWEST_WORDS and not re.search(r"\\[\w.(]|\(\?|[{};<>=]{2}|^[.#@]\w+ {", text)
 
 
 def markdown(path: str, first: int, lines: Sequence[str]) -> Iterator[Passage]:
-    """The passages of markdown lines. An option of a prediction and its explanation are two, its condition is code.
+    """Yield the passages of Markdown lines.
 
-    `first`: the number of the first line.
+    A prediction's option and its explanation are two passages; its condition is code. `first`: the number of the first
+    line.
     """
     gathered: list[str] = []
     begin, fenced, was_text = first, False, False
@@ -213,18 +217,18 @@ def markdown(path: str, first: int, lines: Sequence[str]) -> Iterator[Passage]:
 
 
 def sentences(passage: Passage) -> list[str]:
-    """The sentences of a passage. A list after a colon counts as one with what stands before it."""
+    """Return a passage's sentences. A list after a colon counts as one sentence with the text before it."""
     begins = r"[\"'(]*(?:[A-Z0-9]|(?:rclpy|rcl|mypy)\b|[a-z]+_[a-z_]+\b|[\w/]+\.(?:md|py|toml)\b)"
     return [one for one in re.split(rf"(?<=[.!?])[\"')]* +(?={begins})", passage.text) if one]
 
 
 def length(sentence: str) -> int:
-    """How many words a sentence has; code and values count as one each."""
+    """Return how many words a sentence has. Code and values count as one word each."""
     return len(re.findall(r"[^\W_][\w'’/.-]*", sentence))
 
 
 def _cell(path: str, begin: int, lines: list[str], reads: str) -> Iterator[Passage]:
-    """The passages of one cell of a percent script."""
+    """Yield the passages of a cell of a percent script."""
     if reads == "text":
         yield from markdown(path, begin, [re.sub(r"^# ?", "", line) for line in lines])
         return
@@ -238,8 +242,8 @@ def _cell(path: str, begin: int, lines: list[str], reads: str) -> Iterator[Passa
 
 
 def _passage(path: str, line: int, text: str) -> Iterator[Passage]:
-    text = re.sub(r"!?\[([^\]]*)\]\([^)\s]*\)", r"\1", text)  # a link is its words
-    text = re.sub(r"\{\{[\w. %]+\}\}", "1", text)  # a number of the judge's
+    text = re.sub(r"!?\[([^\]]*)\]\([^)\s]*\)", r"\1", text)  # of a link, only the words
+    text = re.sub(r"\{\{[\w. %]+\}\}", "1", text)  # a value from the judge
     text = _without_code(text)
     text = re.sub(r"<[^>]+>|\*\*|(?<!\w)[*_](?=\w)|(?<=\w)[*_](?!\w)", "", text)
     text = re.sub(r"^(#+|[->✓✗]|\d+\.) +", "", text.strip())

@@ -6,7 +6,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Rule:
-    """Words to be replaced. `instead`: what to write. `words`: a regular expression of whole words, in any case."""
+    """Words to replace.
+
+    `instead`: what to write. `words`: a regular expression that matches whole words, in any case.
+    """
 
     instead: str
     words: str
@@ -14,7 +17,7 @@ class Rule:
     """Whether the rule also applies to questions."""
 
     def found(self, text: str) -> list[str]:
-        """Return each piece of a text that breaks the rule."""
+        """Return each part of a text that breaks the rule."""
         return [hit[0] for hit in re.finditer(rf"(?<![\w-])(?:{self.words})(?![\w])", text, re.IGNORECASE)]
 
 

@@ -1,4 +1,4 @@
-"""What counts as read, and where the map of the course says to go on."""
+"""Which cells count as read, and where the course's map tells the reader to continue."""
 
 import time
 from pathlib import Path
@@ -25,7 +25,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def run(*cells: str, sent: float, every: float) -> None:
-    """Run cells that the front end sent `every` so many seconds, the first at `sent`."""
+    """Run cells that the front end sent `every` seconds apart, the first one at `sent`."""
     for number, cell in enumerate(cells):
         note_cell(SimpleNamespace(info=SimpleNamespace(cell_id=cell)), sent + number * every)
 
@@ -53,7 +53,7 @@ def test_run_all_is_not_read(folder: Path) -> None:
 
 
 def test_an_editor_that_sends_each_cell_when_the_last_has_ended_reads_nothing_either(folder: Path) -> None:
-    for cell in ("a", "b", "c"):  # each is sent at the moment at which the one before has ended
+    for cell in ("a", "b", "c"):  # each cell is sent when the previous one has ended
         run(cell, sent=time.time(), every=0)
     assert load_progress(STEM).read == []
 

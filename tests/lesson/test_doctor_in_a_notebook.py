@@ -1,4 +1,4 @@
-"""The doctor, asked from a cell."""
+"""Run the doctor from a cell."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Films in a page: they play, have a description, and are small enough for a notebook."""
+"""Films on a page: they play, have a description, and are small enough for a notebook."""
 
 import base64
 import io
@@ -45,7 +45,7 @@ def with_head(neck: float, ball: tuple[float, float] | None) -> Any:
 
 
 def middle_of(pixels: Any, red: range, blue: range) -> float:
-    """The mean column of the drawing's pixels of a color; NaN where there is none."""
+    """Return the mean column of the drawing's pixels of a color; NaN if there are none."""
     found = np.isin(pixels[..., 0], red) & np.isin(pixels[..., 2], blue) & (pixels[..., 3] > 200)
     return float(np.nonzero(found[:100])[1].mean()) if found[:100].any() else math.nan
 

@@ -1,4 +1,4 @@
-"""A machine as it was: notes of live nodes agree with what the nodes themselves saw."""
+"""Recordings of a running rclpy: the notes about live nodes agree with what the nodes themselves received."""
 
 import time
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ ARRIVES_WITHIN_S = 20.0
 
 
 class Reader(Node):
-    """Keeps the numbers that its callback gets."""
+    """Stores the numbers that its callback receives."""
 
     def __init__(self, context: Context, depth: int) -> None:
         super().__init__("reader", context=context)
@@ -55,7 +55,7 @@ def test_what_the_queue_threw_away_is_what_the_callback_did_not_get(context: Con
     with watch_machine(reader) as seen:
         for number in range(1, 9):
             publisher.publish(Int32(data=number))
-        time.sleep(0.1)  # as a program that does not spin
+        time.sleep(0.1)  # like a program that doesn't spin
         executor = SingleThreadedExecutor(context=context)
         executor.add_node(reader)
         while len(reader.numbers) < 3:
@@ -86,7 +86,7 @@ def test_nothing_is_left_between_rclpy_and_its_executors(context: Context) -> No
 
 
 def busiest(recording: MachineRecording, name: str) -> tuple[float, float]:
-    """When the longest run of a callback began and ended."""
+    """Return when the longest call of a callback began and ended."""
     place = next(n for n, source in enumerate(recording.sources) if source.callback == name)
     call = max((one for one in recording.calls if one.source == place), key=lambda one: one.end - one.begin)
     return call.begin, call.end

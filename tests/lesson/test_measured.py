@@ -1,4 +1,7 @@
-"""Numbers that vary are marked and have a range; a reader's line is told from one that is still to be written."""
+"""Varying numbers are marked and have a range.
+
+A reader's line is distinguished from a blank that isn't filled in yet.
+"""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Predictions: chosen with a button or a letter, revealed after the run, never before."""
+"""Predictions: chosen with a button or a letter, and revealed only after the run."""
 
 import json
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ TASTE = Prediction("taste", (Option("a", "x", "y"), Option("b", "x", "y"), Optio
 
 
 class Place:
-    """What is on display, and what it was replaced by."""
+    """The current output, and what has replaced it."""
 
     def __init__(self, what: object) -> None:
         self.shows = what
@@ -39,7 +39,7 @@ class Place:
 
 
 class Screen:
-    """What the cells have displayed, in order."""
+    """All outputs that the cells have displayed, in order."""
 
     def __init__(self) -> None:
         self.places: list[Place] = []
@@ -55,7 +55,7 @@ class Screen:
 
 @pytest.fixture
 def screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Screen]:
-    """A lesson in a kernel that was just started, with the two predictions above."""
+    """Provide a lesson in a kernel that has just started, with the two predictions above."""
     sealed = tmp_path / "sealed"
     sealed.mkdir()
     (sealed / f"{STEM}.txt").write_text(seal([QUEUE, TASTE]), encoding="utf-8")
@@ -72,7 +72,7 @@ def screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Screen]:
 
 
 def start_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Forget what only the process knows."""
+    """Forget everything that only the process remembers."""
     monkeypatch.setattr(predictions, "_chosen", {})
     monkeypatch.setattr(predictions, "_closed", {})
     monkeypatch.setattr(predictions, "_waiting", {})
@@ -248,7 +248,7 @@ def test_the_outcome_is_text_and_page_for_a_notebook() -> None:
 
 
 def test_every_prediction_of_the_course_can_be_chosen_with_buttons() -> None:
-    """In JupyterLab the lessons are run with nobody there to choose."""
+    """The automatic runs of the lessons in JupyterLab never use the buttons."""
     asked = all_predictions()
     assert len(asked) > 10
     for prediction in asked.values():
@@ -261,7 +261,7 @@ def test_every_prediction_of_the_course_can_be_chosen_with_buttons() -> None:
 
 
 class Shell:
-    """JupyterLab with its buttons: what came with the running cell, and what the reply says."""
+    """JupyterLab with its buttons: the data sent with the running cell, and the contents of the reply."""
 
     def __init__(self, **prediction: str) -> None:
         self.prediction = prediction

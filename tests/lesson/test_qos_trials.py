@@ -1,4 +1,4 @@
-"""Newcomers of the lesson on QoS: how they are run, and that nothing of them stays, however the trial ends."""
+"""The late subscribers of the lesson on QoS: how they run, and that none is left, however the trial ends."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Programs beside a notebook: one that fails in its first lines is reported, not left on the graph."""
+"""Programs next to a notebook: one that fails in its first lines is reported, and isn't left in the graph."""
 
 import asyncio
 import os
@@ -51,7 +51,7 @@ rclpy.spin(Gripper())
 @pytest.fixture(autouse=True)
 def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     for name in list(os.environ):
-        monkeypatch.setenv(name, os.environ[name])  # put back what `prepare` changes
+        monkeypatch.setenv(name, os.environ[name])  # restores what `prepare` changes
     with lease_domain() as lease:
         prepare(domain_id=lease.domain_id)
         try:
@@ -114,7 +114,7 @@ def test_a_node_of_the_notebook_that_is_seen_late_is_not_taken_for_the_programs(
     init()
     try:
         guard = fresh(Node, "guard")
-        graph = node_names  # the notebook's own node is on the graph only when the program is asked for
+        graph = node_names  # as if the notebook's own node appeared in the graph only later
         monkeypatch.setattr(
             programs, "node_names", lambda: Counter(name for name in graph() if name != "/guard")
         )

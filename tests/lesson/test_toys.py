@@ -1,4 +1,4 @@
-"""Pictures with the boxes of a detector."""
+"""Images with the boxes of a detector."""
 
 import io
 

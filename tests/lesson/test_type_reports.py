@@ -1,4 +1,4 @@
-"""mypy in a notebook: a report that can be read, from a text, a file, a module, or an answer."""
+"""mypy in a notebook: a readable report about a text, a file, a module, or an answer."""
 
 import threading
 from pathlib import Path

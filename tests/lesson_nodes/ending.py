@@ -1,4 +1,4 @@
-"""How a program of the course's own has ended."""
+"""Judge how one of the course's own programs has ended."""
 
 from workbook.criteria.vocabulary.known_errors import shutdown_overtaken, without_executors_end
 from workbook.criteria.vocabulary.tracebacks import TRACEBACK
@@ -7,9 +7,9 @@ from workbook.recording.recording import Recording
 
 
 def ended_in_order(exit_code: int | None, end_log: str) -> bool:
-    """Whether a program ended with exit code 0 and no traceback, apart from rclpy's own shutdown errors.
+    """Return whether it ended with exit code 0 and no traceback, apart from rclpy's own shutdown errors.
 
-    For programs that are trusted: see `shutdown_overtaken` and `without_executors_end`.
+    For trusted programs only: see `shutdown_overtaken` and `without_executors_end`.
     """
     if exit_code == 1:
         return shutdown_overtaken(end_log)
@@ -17,6 +17,6 @@ def ended_in_order(exit_code: int | None, end_log: str) -> bool:
 
 
 def ended_well(recording: Recording) -> bool:
-    """In order, or by the crash that rclpy now and then makes of Ctrl-C, and that no program can prevent."""
+    """Return whether it ended in order, or in an rclpy crash on Ctrl-C that no program can prevent."""
     process = recording.process
     return ended_in_order(process.exit, process.end_log) or bool(crashed_on_interrupt(recording))

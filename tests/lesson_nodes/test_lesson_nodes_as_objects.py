@@ -1,4 +1,4 @@
-"""The lesson nodes as objects: the edges of their ranges and what they remember."""
+"""The lesson nodes as objects: the limits of their ranges, and their state."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -29,7 +29,7 @@ def context() -> Iterator[None]:
 
 
 def spin_until(nodes: list[Node], done: Callable[[], bool]) -> None:
-    """Serve the nodes until `done()`; fails after PATIENCE_S seconds."""
+    """Spin the nodes until `done()` is true. Fail after PATIENCE_S seconds."""
     executor = rclpy.executors.SingleThreadedExecutor()
     for node in nodes:
         executor.add_node(node)

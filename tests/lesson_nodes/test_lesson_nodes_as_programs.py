@@ -1,4 +1,4 @@
-"""The lesson nodes as processes: what they publish, how fast, and how they end."""
+"""The lesson nodes as processes: what they publish, at which rate, and how they end."""
 
 import math
 import signal
@@ -38,7 +38,7 @@ def observer() -> Iterator[Observer]:
 
 
 def recorded(observer: Observer, name: str, *topics: str, **parameters: object) -> list[TopicRecording]:
-    """A few periods of what a lesson node publishes, on simulated time (shortest period 1 s, longest 2 s)."""
+    """Record a few periods of a lesson node on simulated time (shortest period 1 s, longest 2 s)."""
     plan = Plan(topics=topics, shortest_period=1.0, longest_period=2.0)
     spec = ProgramSpec(ROOT / "lesson_nodes" / f"{name}.py", parameters=parameters)
     with observer.watch(spec, plan, "simulated") as watch:
@@ -80,7 +80,7 @@ def test_the_waves_are_set_from_outside(observer: Observer) -> None:
 
 
 def wait_until_it_is_quiet(pid: int) -> None:
-    """Return once the program waits for something: a Ctrl-C that hits a destructor is swallowed by Python."""
+    """Wait until the program waits, because Python would swallow a Ctrl-C that arrives in a destructor."""
     quiescence = Quiescence(pid)
     try:
         while not quiescence.wait():
@@ -90,7 +90,7 @@ def wait_until_it_is_quiet(pid: int) -> None:
 
 
 def wait_until_it_spins(name: str, domain_id: int) -> None:
-    """Return once the node of this name has answered a question, which only a spinning node does."""
+    """Wait until the node of this name responds to a request, which only a spinning node does."""
     context = Context()
     rclpy.init(context=context, domain_id=domain_id, signal_handler_options=SignalHandlerOptions.NO)
     try:
@@ -114,14 +114,14 @@ def test_control_c_ends_it_with_exit_code_zero(name: str, way: str) -> None:
     target = ["-m", f"lesson_nodes.{name}"] if way == "module" else [f"lesson_nodes/{name}.py"]
     code, log = ended_by_control_c(name, target)
     if code == -signal.SIGSEGV:
-        # Once in thousands of times rclpy itself crashes here: see workbook.exercise.inconclusive.
+        # Once in thousands of runs, rclpy itself crashes here: see workbook.exercise.inconclusive.
         code, log = ended_by_control_c(name, target)
     assert "started" in log
     assert ended_in_order(code, log), log
 
 
 def ended_by_control_c(name: str, target: list[str]) -> tuple[int, str]:
-    """Exit code and log of a lesson node that was ended with Ctrl-C while it was waiting."""
+    """Return the exit code and log of a lesson node that was ended with Ctrl-C while it was waiting."""
     with lease_domain() as lease:
         prepare(domain_id=lease.domain_id)
         program = subprocess.Popen(

@@ -1,4 +1,7 @@
-"""The nodes of lesson 01: a guard that parks its arms at the end, and robots that hear only their own domain."""
+"""The nodes of lesson 01:
+
+a guard that parks its arms at the end, and robots that receive only from their own domain.
+"""
 
 import time
 from collections.abc import Iterator

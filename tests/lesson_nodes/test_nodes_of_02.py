@@ -1,4 +1,4 @@
-"""The nodes of lesson 02: a roll call of the graph, and a camera whose name is decided from outside."""
+"""The nodes of lesson 02: a roll call of the graph, and a camera that gets its name from outside."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,7 @@
-"""The nodes of lesson 03: the figures close, the pictures hold what they say, the desk tells calls apart."""
+"""The nodes of lesson 03:
+
+the figures are closed, the images have the right content, and the desk distinguishes calls.
+"""
 
 import math
 
@@ -17,7 +20,7 @@ EIGHT = round(2 * 2 * math.pi / (1.0 * figure_driver.PERIOD_S))  # commands for 
 
 
 def end_of(recording: Recording) -> tuple[float, float]:
-    """Where a robot is (m) that has obeyed each command of an eight for a tenth of a second."""
+    """Return the position (m) of a robot that has followed each command of an eight for a tenth of a second."""
     x = y = heading = 0.0
     for arrival in recording.topic(DRIVE).arrivals[:EIGHT]:
         heading += 0.1 * arrival.value["angular"]["z"]
@@ -27,7 +30,7 @@ def end_of(recording: Recording) -> tuple[float, float]:
 
 
 def test_an_eight_turns_left_and_then_right_and_comes_back() -> None:
-    # A few seconds more than the eight takes: a program on a busy machine drops ticks of its timer.
+    # A few seconds more than the eight takes, because on a busy machine timers skip ticks.
     recording = record(figure_driver, {DRIVE: 0.1}, seconds=16)
     turns = [arrival.value["angular"]["z"] for arrival in recording.topic(DRIVE).arrivals[:EIGHT]]
     assert len(turns) == EIGHT
@@ -63,7 +66,7 @@ def test_the_camera_sends_whole_pictures_of_a_ball_that_rolls() -> None:
 
 
 def desk_that_heard(*heard: tuple[int, str | float]) -> LevelDesk:
-    """A desk without a node, which has heard this at these moments."""
+    """Make a desk without a node that seems to have received these values at these times."""
     desk = LevelDesk.__new__(LevelDesk)
     desk.heard = list(heard)
     desk.trouble = ""

@@ -1,4 +1,4 @@
-"""The nodes of lesson 04: what they hear, what they say to it, and how they end."""
+"""The nodes of lesson 04: what they receive, what they publish in response, and how they end."""
 
 import math
 from collections.abc import Iterator
@@ -26,7 +26,7 @@ PATIENCE_S = 20.0
 
 
 def told(program: ModuleType, distances: list[float], answer: str, **parameters: object) -> Recording:
-    """What a lesson node makes of distances, a tenth of a second of simulated time apart."""
+    """Return what a lesson node publishes for distances that are 0.1 s of simulated time apart."""
     lines = [(0.3 + 0.1 * number, distance) for number, distance in enumerate(distances)]
     plan = Plan(
         (answer,), 0.1, 1.0, simulated_seconds=3.0, script=Script((publish(DISTANCE, Float32, lines),))
@@ -99,7 +99,7 @@ def context() -> Iterator[None]:
 
 
 class Echo(Node):
-    """A monitor that trusts everybody."""
+    """A monitor that trusts all publishers."""
 
     def __init__(self) -> None:
         super().__init__("echo")

@@ -1,4 +1,4 @@
-"""The nodes of lesson 06 and its exercise: what the robot does is told, and a pump is watched from the outside."""
+"""The nodes of lesson 06 and its exercise: a robot that reports its actions, and a spin loop watched from outside."""
 
 import textwrap
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The nodes of lesson 07: three shapes of one battery report, which nobody can tell apart on the bus."""
+"""The nodes of lesson 07: three implementations of one battery report that no subscriber can tell apart."""
 
 from types import ModuleType
 

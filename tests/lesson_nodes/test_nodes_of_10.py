@@ -1,4 +1,4 @@
-"""The node of lesson 10: thinking stops the heart, unless it has a thread and a callback group of its own."""
+"""The node of lesson 10: planning stops the heartbeat unless it has a separate thread and callback group."""
 
 import os
 from collections.abc import Iterator
@@ -22,7 +22,7 @@ PERIODS = {HEARTBEAT: 0.1, THOUGHT: 1.1}
 @pytest.fixture(autouse=True)
 def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     for name in list(os.environ):
-        monkeypatch.setenv(name, os.environ[name])  # put back what `prepare` changes
+        monkeypatch.setenv(name, os.environ[name])  # restores what `prepare` changes
     with lease_domain() as lease:
         prepare(domain_id=lease.domain_id)
         try:

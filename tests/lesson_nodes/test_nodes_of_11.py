@@ -1,4 +1,4 @@
-"""The nodes of lesson 11: a hand that is touched, a monitor that is called, and one that looks."""
+"""The nodes of lesson 11: a hand that is touched, a monitor with a callback, and one that polls."""
 
 import asyncio
 import os
@@ -23,7 +23,7 @@ TOUCHES = 40
 @pytest.fixture(autouse=True)
 def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     for name in list(os.environ):
-        monkeypatch.setenv(name, os.environ[name])  # put back what `prepare` changes
+        monkeypatch.setenv(name, os.environ[name])  # restores what `prepare` changes
     with lease_domain() as lease:
         prepare(domain_id=lease.domain_id)
         try:
@@ -35,7 +35,7 @@ def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 class Ear(Node):
-    """Hears the hand and both monitors."""
+    """Subscribes to the hand and both monitors."""
 
     def __init__(self) -> None:
         super().__init__("ear")
@@ -50,7 +50,7 @@ class Ear(Node):
 
 
 def match(**polling: object) -> dict[str, list[int]]:
-    """What was heard when the hand was touched forty times."""
+    """Return what arrived when the hand was touched forty times."""
     init()
     ear = fresh(Ear)
     try:

@@ -1,4 +1,4 @@
-"""The nodes of lesson 12: what they answer, who hangs and who does not, and how they end."""
+"""The nodes of lesson 12: their responses, which of them hang, and how they end."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ PATIENCE_S = 10.0
 
 
 def watched(program: object, script: Script, seconds: float, *topics: str, **parameters: object) -> Recording:
-    """What a lesson node does, and how it ends on Ctrl-C."""
+    """Return what a lesson node does, and how it ends on Ctrl-C."""
     plan = Plan(topics, 0.05, 1.0, wall_seconds=seconds, script=script)
     spec = ProgramSpec(Path(str(program.__file__)), parameters=parameters)  # type: ignore[attr-defined]
     with Observer() as observer, observer.watch(spec, plan, "wall") as watch:
@@ -29,7 +29,7 @@ def watched(program: object, script: Script, seconds: float, *topics: str, **par
 
 
 def called(program: object, one: Calls, seconds: float, *topics: str, **parameters: object) -> Recording:
-    """The same, while it is called."""
+    """Return what a lesson node does while it is called."""
     return watched(program, Script((one,)), seconds, *topics, **parameters)
 
 

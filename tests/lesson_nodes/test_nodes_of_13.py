@@ -1,4 +1,4 @@
-"""The nodes of lesson 13: a heart with holes, a robot that speaks early, and newcomers with first words."""
+"""The nodes of lesson 13: a heartbeat with gaps, a robot that publishes early, and a newcomer's first messages."""
 
 import signal
 import subprocess
@@ -42,7 +42,7 @@ def domain() -> Iterator[int]:
 
 
 class Listener(Node):
-    """Keeps the words of one topic."""
+    """Stores the texts of one topic."""
 
     def __init__(self, topic: str, qos: QoSProfile) -> None:
         super().__init__("listener")

@@ -1,4 +1,4 @@
-"""The nodes of lesson 14: encoders that tremble, and a scope that writes one joint down."""
+"""The nodes of lesson 14: noisy encoders, and a scope that records one joint."""
 
 import statistics
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ def context() -> Iterator[None]:
 
 
 def recorded(**parameters: object) -> dict[float, list[float]]:
-    """The angles that the encoders say, by their stamps (s)."""
+    """Return the published angles of the encoders, by their stamps (s)."""
     seen = record(noisy_joints, {ENCODERS: PERIOD_S}, seconds=6.0, period_s=PERIOD_S, **parameters)
     assert all(names == list(JOINTS) for names in values(seen, ENCODERS, "name"))
     stamps = [header["stamp"] for header in values(seen, ENCODERS, "header")]  # type: ignore[index]

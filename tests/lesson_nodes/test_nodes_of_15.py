@@ -1,4 +1,4 @@
-"""The nodes of lesson 15: a camera in the head, and a scope that keeps its pictures."""
+"""The nodes of lesson 15: a camera in the head, and a scope that stores its images."""
 
 import math
 from collections.abc import Iterator
@@ -32,7 +32,7 @@ def context() -> Iterator[None]:
 
 
 def camera(**settings: Any) -> tuple[Any, list[Any]]:
-    """A camera, and what it publishes, in order."""
+    """Create a camera, and collect what it publishes, in order."""
     parameters = [Parameter(name, value=value) for name, value in {"width": 160, **settings}.items()]
     node: Any = HeadCamera(parameter_overrides=parameters)
     published: list[Any] = []

@@ -1,4 +1,4 @@
-"""The nodes of lesson 16: a camera over toys, a detector in a callback or a thread, and a scope."""
+"""The nodes of lesson 16: a camera above toys, a detector in a callback or a thread, and a scope."""
 
 import threading
 from collections.abc import Iterator
@@ -39,7 +39,7 @@ def overrides(settings: dict[str, Any]) -> list[Parameter]:
 
 
 def pictures(number: int, **settings: Any) -> list[Image]:
-    """What a camera publishes, in order."""
+    """Return what a camera publishes, in order."""
     node: Any = ToyCamera(parameter_overrides=overrides(settings))
     published: list[Image] = []
     node.timer.cancel()
@@ -50,7 +50,7 @@ def pictures(number: int, **settings: Any) -> list[Image]:
 
 
 def detector(**settings: Any) -> tuple[Any, list[Any]]:
-    """A detector that waits for nothing, and what it publishes, in order."""
+    """Create a detector without delays, and collect what it publishes, in order."""
     node: Any = ToyDetector(parameter_overrides=overrides({"takes_s": 0.0, **settings}))
     published: list[Any] = []
     node.publisher = SimpleNamespace(publish=published.append)

@@ -1,4 +1,4 @@
-"""The nodes of lesson 05: each timer keeps its own period, and a period that makes no sense is refused."""
+"""The nodes of lesson 05: each timer keeps its own period, and an invalid period is refused."""
 
 import math
 
@@ -33,7 +33,7 @@ def test_each_arm_moves_to_its_own_timer() -> None:
     poses = values(recording, JOINTS)
     left = [pose[two_arms.LEFT_SHOULDER] for pose in poses]
     right = [pose[two_arms.RIGHT_SHOULDER] for pose in poses]
-    assert len(set(left)) > 25  # up and down pass through the same angles
+    assert len(set(left)) > 25  # moving up and moving down, it passes through the same angles
     assert 4 <= len(set(right)) <= 8
     assert ended_well(recording), recording.process
     assert all(len(pose) == two_arms.JOINT_COUNT for pose in poses)

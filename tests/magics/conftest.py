@@ -24,7 +24,7 @@ if 'workbook.magics' not in get_ipython().extension_manager.loaded:
 
 @dataclass
 class Shown:
-    """What one cell gave: what it printed, the text form of what it displayed, its error, what the screen is to do."""
+    """The outputs of a cell: printed text, displays as text, the error, and instructions for the screen."""
 
     text: str = ""
     displays: list[str] = field(default_factory=list)
@@ -34,7 +34,7 @@ class Shown:
 
 
 class Kernel:
-    """One kernel; `run` executes a cell as a notebook does."""
+    """A kernel. `run` executes a cell as a notebook does."""
 
     def __init__(self, folder: Path) -> None:
         environ = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
@@ -61,7 +61,10 @@ class Kernel:
         return int(self.manager.provisioner.pid)
 
     def start(self, code: str, on_screen: Sequence[str] | None = None) -> str:
-        """`on_screen`: what the answer cells hold, as JupyterLab tells it with each cell that runs."""
+        """Start the kernel.
+
+        `on_screen`: the contents of the answer cells, which JupyterLab sends with each running cell.
+        """
         if on_screen is None:
             return str(self.client.execute(code))
         message = self.client.session.msg("execute_request", {"code": code, "silent": False})
@@ -82,7 +85,7 @@ class Kernel:
             elif kind in ("display_data", "execute_result", "update_display_data"):
                 if (
                     kind == "update_display_data"
-                ):  # it belongs to an earlier cell, or it's the card after a waiting line
+                ):  # an earlier cell's message, or the card that replaces a waiting line
                     if not shown.displays or not shown.displays[-1].startswith(WAITING):
                         continue
                     shown.displays.pop()
@@ -109,7 +112,7 @@ class Kernel:
         return shown
 
     def work_in(self, folder: Path) -> None:
-        """Continue as a student who has nothing yet."""
+        """Continue as a student whose folder is still empty."""
         (folder / "answers").mkdir(parents=True)
         self.good(f"import os; os.chdir({str(folder)!r})\n%stop")
         self.folder = folder

@@ -1,4 +1,4 @@
-"""Saving answers: whatever a student saves, in whatever order, is never lost."""
+"""Saving answers: nothing that a student saves is ever lost, in any order."""
 
 import shutil
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Solved stays solved: the best that was ever judged counts, and its file is kept."""
+"""A solved exercise stays solved: the best judged version counts, and its file is kept."""
 
 import subprocess
 import sys
@@ -67,7 +67,7 @@ def test_a_later_wrong_try_changes_nothing(folder: Path) -> None:
 
 
 def test_what_was_judged_meanwhile_is_not_lowered_by_a_check_that_ends_later(folder: Path) -> None:
-    """A check is still under way when a terminal judges a better version."""
+    """A check is still running when a better version is judged in a terminal."""
     slow = check(folder, "robot = 'eight'\n", EIGHT)
     check(folder, "robot = 'right'\n", FULL)
     slow.note(EIGHT)
@@ -77,7 +77,7 @@ def test_what_was_judged_meanwhile_is_not_lowered_by_a_check_that_ends_later(fol
 
 
 def test_the_last_word_of_a_check_counts_and_is_one_try(folder: Path) -> None:
-    """Full marks on simulated time, and then the program ends before its real seconds have passed."""
+    """The card first shows full marks on simulated time, but then the program ends too early in real time."""
     check(folder, "robot = 'ends early'\n", FULL, EIGHT)
     progress = load_progress(STEM)
     assert (progress.tries, progress.solved, progress.best) == (1, False, 8.0)
@@ -167,7 +167,7 @@ def test_a_line_says_what_is_watched_until_the_card_comes(
     def judge(
         _: str, __: Answer, report: Callable[[Judgement], None], ___: object, progress: ShowProgress
     ) -> Judgement:
-        assert is_blank.wait(60)  # nothing has come for a while
+        assert is_blank.wait(60)  # no message has come for a while
         progress(Progress(0, 12.0, {"/robot/joint_positions": 6}))
         report(EIGHT)
         progress(Progress(0, 13.0, {}))
@@ -202,7 +202,7 @@ def test_a_robot_moves_only_for_a_check_that_takes_long(
         now[0] += live_card.ROBOT_AFTER_S - 0.1
         progress(heard)
         now[0] += 0.2
-        progress(replace(heard, watched_s=25.9))  # it's nearly over
+        progress(replace(heard, watched_s=25.9))  # almost all of the time has passed
         progress(heard)
         return FULL
 

@@ -23,7 +23,7 @@ def answer(kernel: Kernel, text: str) -> str:
 
 
 def alone(kernel: Kernel) -> set[int]:
-    """Processes below the kernel."""
+    """Return the processes below the kernel."""
     return set(process_tree(kernel.pid)) - {kernel.pid}
 
 
@@ -49,7 +49,7 @@ def test_without_an_exercise_the_magics_ask_which(fresh_kernel: Kernel) -> None:
 
 
 def test_a_call_is_never_a_magic(fresh_kernel: Kernel) -> None:
-    """After a restart, the kernel doesn't know the functions of a lesson yet."""
+    """After a restart, the kernel doesn't have the lesson's functions yet."""
     for cell in ("stop()", "start(program)", "check ()"):
         error = fresh_kernel.run(cell).error
         assert error is not None and "NameError" in error
@@ -69,7 +69,7 @@ def test_a_review_judges_what_is_not_judged_yet_and_judges_nothing_twice(kernel:
 
 
 def test_a_check_in_a_new_session_and_another_at_once(fresh_kernel: Kernel) -> None:
-    """The answer was saved yesterday; no %%answer cell has run in this kernel."""
+    """The answer was saved yesterday, and no %%answer cell has run in this kernel."""
     (fresh_kernel.folder / "answers" / f"{STEM}.py").write_text("speed = = 3\n")
     for _ in range(3):
         assert fresh_kernel.good(f"%check {STEM}").displays[0].startswith("0 of 10 points.")
@@ -192,7 +192,7 @@ def test_an_interrupted_check_leaves_nothing_behind(kernel: Kernel, tmp_path: Pa
 
 @pytest.mark.parametrize("hard", [False, True], ids=["shut down", "killed"])
 def test_the_end_of_the_kernel_ends_everything(fresh_kernel: Kernel, tmp_path: Path, hard: bool) -> None:
-    """A check is under way, a program runs beside the notebook, and the kernel goes."""
+    """The kernel ends while a check and a program are running."""
     answer(fresh_kernel, SOURCE.solution_code)
     fresh_kernel.good("%start")
     fresh_kernel.good("%check")

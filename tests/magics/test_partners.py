@@ -1,6 +1,6 @@
-"""What %start runs next to a program: the robot moves by what the solution publishes, and nothing outlives the program.
+"""What %start runs next to a program: the solution's messages move the robot, and no partner outlives the program.
 
-The news of the panel's observer are what a browser gets.
+The news of the panel's observer is what a browser receives.
 """
 
 import os
@@ -39,12 +39,12 @@ MOVES = {
     "15_camera": {"image", "look"},
     "16_ai_model": {"image", "boxes", "tilt", "face"},
 }
-"""What the robot does in each exercise once its solution runs."""
+"""What the robot does in each exercise while its solution runs."""
 
 
 @pytest.fixture
 def watcher(kernel: Kernel) -> Iterator[Watcher]:
-    """The observer of the kernel's domain."""
+    """Start an observer of the kernel's domain."""
     one = Watcher()
     one.order(domain=int(kernel.good("import os; print(os.environ['ROS_DOMAIN_ID'])").text))
     one.wait("graph")
@@ -61,18 +61,18 @@ def answer(kernel: Kernel, stem: str, text: str = "") -> None:
 
 
 def told(watcher: Watcher, effect: str) -> list[Any]:
-    """The values of an effect that were told so far, without the ends of effects."""
+    """Return the values of an effect that were reported so far, without the ends of effects."""
     values = (one[effect] for one in list(watcher.told) if one["kind"] == "robot" and effect in one)
     return [value for value in values if value is not None and value is not False]
 
 
 def wait_for(watcher: Watcher, *effects: str, fits: Callable[[Any], bool] = lambda value: True) -> None:
-    """Wait until each of the effects was told with a value that fits."""
+    """Wait until each of the effects was reported with a matching value."""
     watcher.wait("robot", lambda _: all(any(map(fits, told(watcher, effect))) for effect in effects))
 
 
 def below(kernel: Kernel, stem: str) -> set[int]:
-    """The processes of a program and of its partner."""
+    """Return the processes of a program and of its partner."""
     files = (f"answers/{stem}.py", f"partners/{stem}.py")
 
     def runs_one(pid: int) -> bool:
@@ -94,7 +94,7 @@ def test_each_exercise_has_its_moves() -> None:
 @pytest.mark.parametrize("stem", STEMS)
 def test_the_robot_does_what_the_solution_publishes(kernel: Kernel, watcher: Watcher, stem: str) -> None:
     answer(kernel, stem)
-    # What exercise 03's program does, the desk of its notebook asks for.
+    # Exercise 03's program publishes only when its notebook's desk requests it.
     code = load(ROOT / "solutions" / f"{stem}.py").live if stem.startswith("03") else "%start"
     said = kernel.good(code).text
     assert "Running: node" in said
@@ -139,7 +139,7 @@ def test_in_the_end_the_robot_of_16_lies_on_the_ground_and_reports_it(
 
 
 def test_the_other_who_publishes_has_the_topic_alone(kernel: Kernel, watcher: Watcher) -> None:
-    """The cell of the exercise plays the sensor itself, and gives the place back."""
+    """The exercise's cell replaces the simulated sensor, and lets it publish again at the end."""
     answer(kernel, MONITOR)
     said = kernel.good(load(ROOT / "solutions" / f"{MONITOR}.py").live).text
     rows = re.findall(r"^/robot/battery +(\S+) +(.*)$", said, re.MULTILINE)

@@ -1,4 +1,4 @@
-"""What `%progress` keeps of a student, and what it shows."""
+"""What `%progress` stores about a student, and what it shows."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""What the robot on a card does: pure functions of progress, and of recordings."""
+"""What the robot on a card does, as pure functions of progress and recordings."""
 
 import json
 import math
@@ -146,7 +146,8 @@ def test_while_it_is_watched_the_robot_follows_the_latest_messages() -> None:
         Progress(0, 1.0, {"/robot/heartbeat": 1, "/robot/battery": 1}, latest, types), 10.0
     )
     assert (first["news"]["beat"], first["news"]["battery"], first["news"]["awake"]) == (1, 62.5, True)
-    # No new heartbeat: it doesn't beat again. What lasts is told each time, because only the last news are kept.
+    # There is no new heartbeat, so the heart doesn't beat again. Lasting values are sent each time, because only the
+    # last news are kept.
     second: Any = robot.after(
         Progress(0, 6.0, {"/robot/heartbeat": 1, "/robot/battery": 4}, latest, types), 10.5
     )

@@ -1,4 +1,4 @@
-"""Nothing is judged that is not on the screen: `%check` and `%start` take the answer cell as it is now."""
+"""Only the text on the screen is judged: `%check` and `%start` use the current text of the answer cell."""
 
 import json
 import os
@@ -108,7 +108,7 @@ def test_the_best_version_and_the_starter_come_back_onto_the_screen(kernel: Kern
     assert elsewhere["text"] == f"{LINE}{STARTER.rstrip()}"
 
 
-# --- what is told, and what is saved ----------------------------------------------------------------------------------
+# --- messages, and what is saved --------------------------------------------------------------------------------------
 
 
 def told(answers: object) -> dict[str, object]:
@@ -152,7 +152,7 @@ def test_a_front_end_that_does_not_tell(request_: object) -> None:
 
 @pytest.fixture
 def saved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A notebook that was saved after its answer had run."""
+    """Make a notebook that was saved after its answer had run."""
     monkeypatch.setenv("WORKBOOK_ANSWERS", str(tmp_path))
     (tmp_path / f"{STEM}.py").write_text("robot = 1\n")
     os.utime(tmp_path / f"{STEM}.py", (1000, 1000))

@@ -1,4 +1,4 @@
-"""Tracebacks: the student's own frames are open, those inside of libraries are one click away."""
+"""Tracebacks: the student's own frames are visible, and one click unfolds those of libraries."""
 
 import sysconfig
 from pathlib import Path
@@ -23,7 +23,7 @@ read()
 
 @pytest.fixture
 def shell(monkeypatch: pytest.MonkeyPatch) -> InteractiveShell:
-    """A shell whose tracebacks and displays are kept, as text."""
+    """Provide a shell that stores its tracebacks and displays as text."""
     monkeypatch.delenv(UNATTENDED, raising=False)
     made = InteractiveShell()
     made.sent, made.shown = [], []  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""What a process beside a node runs: it loads once, answers as the detector does, and dies alone."""
+"""A model in a process next to a node: it loads once, returns the detector's results, and can die without the node."""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The committed detector: where it comes from, how good it is, and what it says of wrong images."""
+"""The committed detector: its origin, its accuracy, and its errors on wrong images."""
 
 import subprocess
 import sys
@@ -45,7 +45,7 @@ def pictures(number: int) -> np.ndarray:
 
 
 def by_hand(pixels: np.ndarray) -> np.ndarray:
-    """The network, with loops over the kernel and NumPy alone."""
+    """Run the network with NumPy and loops over the kernel only."""
     values = pixels.astype(np.float64)
     for number, (layer, (weight, bias)) in enumerate(zip(LAYERS, read_weights(), strict=True)):
         around = [(0, 0), (0, 0), (layer.padding, layer.padding), (layer.padding, layer.padding)]
@@ -126,7 +126,7 @@ def test_detections_are_in_pixels_of_the_image_and_sorted() -> None:
 def test_the_middle_of_a_square_and_its_place() -> None:
     maps = np.full((8, 30, 40), -9.0, dtype=np.float32)
     maps[:, 10, 20] = (-9.0, 3.0, -9.0, -9.0, 0.25, -0.5, np.log(12.0), np.log(6.0))
-    maps[1, 10, 21] = 2.0  # less sure, and a neighbor
+    maps[1, 10, 21] = 2.0  # less confident, and next to it
     (found,) = decoded(maps, 0.5, 2)
     assert found.label == "brick"
     wanted = (1 / (1 + np.exp(-3.0)), 2 * (81.0 + 0.5) - 0.5, 2 * (38.0 + 0.5) - 0.5, 24.0, 12.0)

@@ -1,4 +1,4 @@
-"""The episodes of a robot that stands, bows, is pushed or falls: what they hold, and how alarms are counted."""
+"""Episodes of a robot that stands, bows, is pushed, or falls: their contents, and how alarms are counted."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ NEWEST_TILT = (WINDOW - 1) * len(CHANNELS)
 
 
 def ramp(length: int, falls_from: int | None) -> Episode:
-    """An episode whose tilt is the number of the sample, and the other channels 0."""
+    """Make an episode whose tilt is the sample's number and whose other channels are 0."""
     samples = np.zeros((length, len(CHANNELS)))
     samples[:, 0] = np.arange(length)
     return Episode("stands" if falls_from is None else "falls", samples, falls_from)

@@ -1,4 +1,4 @@
-"""With the panel open, a lesson shows what is committed: the ROS graph does not know of the panel."""
+"""With the panel open, a lesson still shows the committed outputs, because the panel is invisible in the ROS graph."""
 
 import os
 import threading
@@ -15,7 +15,7 @@ LOOK_EVERY_S = 0.2
 
 
 class Follower(threading.Thread):
-    """Has an observer follow each kernel that this process starts, as the panel follows the notebook in front."""
+    """Makes an observer follow each kernel that this process starts, as the panel follows the notebook in front."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""The error museum: each known mistake of beginners hangs in a lesson, and the pages tell what the lessons show."""
+"""The error museum: a lesson shows each known beginners' mistake, and the museum's pages match the lessons."""
 
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -14,11 +14,11 @@ from workbook.exercise.museum import BrokenMuseum, Exhibit, Museum, Term, load_m
 ROOT = Path(__file__).resolve().parents[2]
 TREE = Tree(ROOT)
 MISTAKES = range(1, 49)
-"""The list of beginners' mistakes that the course is built around."""
+"""The numbers of the beginners' mistakes on which the course is built."""
 IN_WORDS = {44: "13_qos_and_discovery_deeper"}
-"""Mistakes that cannot be provoked on one machine: their lesson tells of them in words."""
+"""Mistakes that can't be provoked on one machine, so their lesson only describes them."""
 LATER = {9: "15", 46: "16"}
-"""Mistakes whose lesson is still to be written."""
+"""Mistakes whose lesson isn't written yet."""
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""Strict nbval on notebooks as we build them: real ROS, pictures that move, and mistakes that must not pass."""
+"""Strict nbval on notebooks from our builder: real ROS, moving images, and mistakes that must not pass."""
 
 import re
 import shutil
@@ -60,12 +60,12 @@ print("battery", 96)"""
 
 @pytest.fixture(autouse=True)
 def no_answers_folder(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As in a shell of its own: no earlier test of this process has named a folder."""
+    """Unset the answers folder, which an earlier test in this process may have set."""
     monkeypatch.delenv("WORKBOOK_ANSWERS", raising=False)
 
 
 def built(folder: Path, *programs: str, tags: tuple[str, ...] = ()) -> Path:
-    """A notebook, run as the builder runs it."""
+    """Build a notebook as the builder does, outputs included."""
     cells = with_ids([Cell("code", program, tags=tags) for program in programs])
     notebook = as_notebook(Document(cells, {"lesson": "21_try"}))
     run(Tree(folder), "21_try", notebook)
@@ -129,7 +129,7 @@ def test_the_last_state_is_compared_and_noise_is_not(tmp_path: Path) -> None:
     assert "the robot leans by 20 degrees" not in text
     assert "battery 97" not in text
     assert "0x…" in text
-    changed(path, "answers at False", "answers at True")  # nbval gives each notebook a folder of its own
+    changed(path, "answers at False", "answers at True")  # nbval runs each notebook in a separate folder
     code, said = nbval(path)
     assert code == 0, said
     changed(path, "the robot leans by 30 degrees", "the robot falls")
@@ -217,7 +217,7 @@ def test_an_exercise_is_run_with_the_starter_and_with_the_solution(
     said = capfd.readouterr().out
     assert "1 failed, 11 passed" in said
     assert "exercises/21_horn.ipynb::Cell 9" in said
-    # Helpers of a killed kernel see that it is gone, and clean up in their own time.
+    # Helpers notice some time after the kill that their kernel is gone, and clean up.
     wait_until(lambda: not list(temporary.iterdir()), "no temporary folder is left")
 
 

@@ -1,6 +1,6 @@
-"""Every notebook runs from top to bottom and shows what is committed: strict nbval, notebook by notebook.
+"""Every notebook runs from top to bottom and shows its committed outputs, checked with strict nbval.
 
-The whole run leaves the lessons to JupyterLab, where `test_browser_lessons` compares them, if there is a Chromium.
+In the whole run, JupyterLab runs the lessons instead if there is a Chromium, and `test_browser_lessons` compares them.
 """
 
 import time
@@ -33,16 +33,16 @@ def test_a_lesson_shows_what_is_committed(stem: str, capfd: pytest.CaptureFixtur
 @pytest.mark.slow
 @pytest.mark.parametrize("stem", EXERCISES)
 def test_an_exercise_shows_what_is_committed(stem: str, capfd: pytest.CaptureFixture[str]) -> None:
-    """With the starter, and with the solution put in."""
+    """Run it with the starter, and with the solution inserted."""
     show_what_is_committed(capfd, exercises=[stem])
 
 
 def show_what_is_committed(
     capfd: pytest.CaptureFixture[str], *, lessons: Sequence[str] = (), exercises: Sequence[str] = ()
 ) -> None:
-    """Fail unless these notebooks do.
+    """Fail unless these notebooks show their committed outputs.
 
-    What failed while the host gave the processors to others has shown nothing, and is run again.
+    A failure proves nothing while the host gave the CPUs to others, so those notebooks run again.
     """
     for _ in range(TRIES):
         began, before = time.monotonic(), taken_s()

@@ -1,4 +1,4 @@
-"""Lessons show numbers, not True and False, and let the reader write lines that run."""
+"""Lessons show numbers instead of True and False, and let readers write lines that run."""
 
 import re
 from collections.abc import Iterator
@@ -15,8 +15,8 @@ NOTEBOOKS = sorted(path.stem for path in FOLDER.glob("[0-9][0-9]_*.ipynb"))
 LESSONS = [stem for stem in NOTEBOOKS if not stem.endswith("_deeper")]
 MOST_VERDICTS = 1
 FEWEST_BLANKS = {True: 3, False: 1}
-"""Of a lesson, and of a deeper page."""
-_VERDICT = re.compile(r"(?<!gave )\b(True|False)\b")  # what a cell gave is a value, not a verdict
+"""In a lesson, and in a deeper page."""
+_VERDICT = re.compile(r"(?<!gave )\b(True|False)\b")  # the value that a cell returned is no verdict
 _CHECKED = re.compile(r"\byours\(")
 
 
@@ -46,7 +46,10 @@ def test_a_reader_writes_lines_that_are_checked(stem: str) -> None:
 
 @pytest.mark.parametrize("stem", LESSONS)
 def test_folds_show_plain_rclpy_for_the_helpers(stem: str) -> None:
-    """For `init`, which a lesson can't do without if it creates a node: the others come with it."""
+    """Only `init` is checked, because a lesson that creates a node needs it.
+
+    The folds for the other helpers come with it.
+    """
     folds = [cell.source for cell in cells(stem, "markdown") if TITLE in cell.source]
     assert folds
     if any(re.search(r"(?<![\w.])init\(\)", cell.source) for cell in cells(stem, "code")):

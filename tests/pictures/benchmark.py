@@ -1,4 +1,4 @@
-"""What a picture costs, in processor time, beside an empty matplotlib figure: `python -m tests.pictures.benchmark`."""
+"""Compare the CPU time of a figure with an empty matplotlib figure: `python -m tests.pictures.benchmark`."""
 
 import io
 import time
@@ -13,7 +13,7 @@ from workbook.pictures.joints import walking
 
 
 def empty_figure() -> bytes:
-    """The yardstick: matplotlib's axes and nothing in them, in the size of the humanoid."""
+    """Draw the reference: matplotlib's axes without content, in the humanoid's size."""
     figure = Figure(figsize=(4.2, 4.2))
     FigureCanvasAgg(figure)
     figure.subplots()
@@ -23,7 +23,7 @@ def empty_figure() -> bytes:
 
 
 def cost(draw: Callable[[int], object], rounds: int = 15) -> list[float]:
-    """Processor time of each of the rounds (s), after one that warms up."""
+    """Return the CPU time of each round (s), after a warm-up round."""
     draw(0)
     times = []
     for index in range(rounds):

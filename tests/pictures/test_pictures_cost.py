@@ -1,6 +1,6 @@
 def test_a_frame_of_the_humanoid_costs_less_than_an_empty_matplotlib_figure() -> None:
-    """A ratio of processor times, each the best of several: about a third; a slow machine is slow at both."""
-    # It imports matplotlib: a second for everybody who collects tests.
+    """A ratio of CPU times, each the best of several: about a third. A slow machine slows down both."""
+    # This imports matplotlib, which would add a second to every collection of tests.
     from tests.pictures.benchmark import PICTURES, cost
 
     frame = min(cost(PICTURES["humanoid"], rounds=8))

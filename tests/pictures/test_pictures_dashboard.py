@@ -67,7 +67,7 @@ def test_before_the_first_message() -> None:
 
 
 def marks(picture: bytes, row: int, color: str) -> int:
-    """How many separate marks a row of the timeline has."""
+    """Return how many separate marks a row of the timeline has."""
     top = 2 * 104 + row * ROW
     columns = colored(picture, color, 40)[top : top + ROW, 2 * 130 : 2 * 505].any(axis=0).astype(int)
     return int(np.count_nonzero(np.diff(np.concatenate(([0], columns))) == 1))

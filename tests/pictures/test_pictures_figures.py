@@ -17,7 +17,7 @@ TEMPLATES = Path(workbook.grading.__file__).with_name("templates")
 
 
 def dark(picture: bytes) -> int:
-    """How many opaque dots are so dark that a dark page hides them."""
+    """Return how many opaque pixels are too dark to be visible on a dark page."""
     image = pixels(picture)
     return int(np.count_nonzero((image[..., :3].max(axis=2) < 60) & (image[..., 3] > 128)))
 

@@ -9,7 +9,7 @@ EDGES = [("/publisher", "/robot/status"), ("/publisher", "/robot/battery"), ("/r
 
 
 def boxes(picture: bytes, color: str) -> int:
-    """How many outlines of a color there are, by the runs in its busiest column."""
+    """Return how many outlines of a color there are, by the runs in its densest column."""
     columns = colored(picture, color)
     return max(int(np.count_nonzero(np.diff(column.astype(int)) == 1)) for column in columns[:-50].T)
 
@@ -49,7 +49,7 @@ def test_long_circles_and_many_nodes_end() -> None:
 
 def test_a_topic_nobody_reads_and_a_node_alone_are_drawn() -> None:
     picture = graph.draw(["/publisher", "/lonely"], TOPICS, EDGES[:2])
-    assert boxes(picture, palette.GREEN) >= 4  # two boxes, an upper and a lower line each
+    assert boxes(picture, palette.GREEN) >= 4  # two boxes, each with an upper and a lower line
     assert boxes(picture, palette.BLUE) >= 4
 
 

@@ -25,7 +25,7 @@ from workbook.pictures.joints import (
 
 draw = partial(humanoid.draw, scale=2.0)
 placeholder = partial(humanoid.placeholder, scale=2.0)
-MIDDLE = humanoid.WIDTH  # dots: the picture has two dots per pixel
+MIDDLE = humanoid.WIDTH  # the image has two dots per pixel
 
 
 def test_twelve_joints_in_a_documented_order_with_ranges() -> None:
@@ -58,7 +58,7 @@ def test_a_shoulder_moves_the_arm_on_its_own_side(joint: str, left_of_picture: b
     sides = np.count_nonzero(moved[:, :MIDDLE]), np.count_nonzero(moved[:, MIDDLE:])
     own, other = sides if left_of_picture else sides[::-1]
     assert own > 4000
-    assert other < own / 20  # the eyes glance to the other side
+    assert other < own / 20  # the eyes look to the other side
     assert np.count_nonzero(moved[660:, :]) == 0, "feet and ground stay where they were"
 
 

@@ -209,7 +209,10 @@ def test_in_a_notebook_one_picture_stays_and_its_text_has_no_numbers() -> None:
 
 
 def test_stop_in_a_notebook_ends_the_cell_cleanly() -> None:
-    """A real kernel gets a real interrupt while it shows; the cell ends without an error and its rest runs."""
+    """A real kernel gets a real interrupt during an animation.
+
+    The cell ends without an error, and the rest of it runs.
+    """
     program = """
         import sys
         from jupyter_client.manager import start_new_kernel

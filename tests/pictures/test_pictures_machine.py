@@ -1,4 +1,4 @@
-"""The drawing of the machine: what is seen at a moment, which moments are chosen, and how large the film is."""
+"""The drawing of the machine: what it shows at a moment, which moments are chosen, and the film's size."""
 
 import io
 
@@ -17,7 +17,7 @@ BLINK = Source("timer", "timer, 0.2 s", "blink", 1, 0.2, 0)
 
 
 def recording(messages: int = 4) -> MachineRecording:
-    """Messages that come every 0.2 s; nobody spins for a second, then each callback takes 0.5 s."""
+    """Record messages every 0.2 s. The node isn't spun for a second; then each callback takes 0.5 s."""
     came = [0.2 * n for n in range(1, messages + 1)]
     items = [
         Item(0, n, t, None, came[n + 1])

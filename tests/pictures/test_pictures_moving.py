@@ -1,4 +1,4 @@
-"""Pictures that move: what they show at a moment, and that they are small enough for a notebook."""
+"""Moving images: what they show at a moment, and that they are small enough for a notebook."""
 
 import io
 
@@ -15,7 +15,7 @@ BLOCKED = [t for t in BEATS if not 1.1 < t < 2.1 and not 3.2 < t < 4.2]
 
 
 def frames(png: bytes) -> int:
-    """How many pictures a moving picture has."""
+    """Return how many frames a moving image has."""
     return int(getattr(Image.open(io.BytesIO(png)), "n_frames", 1))
 
 

@@ -1,4 +1,4 @@
-"""The way of a robot that obeys commands, and the drawing of the layers."""
+"""The path of a robot that follows commands, and the drawing of the layers."""
 
 import math
 from typing import Any

@@ -1,4 +1,4 @@
-"""The figure as data: turned by its joints, it is where Python draws it."""
+"""The figure as data: turned by its joints, it matches Python's drawing."""
 
 import json
 import math
@@ -17,7 +17,7 @@ FIGURE = json.loads(description())
 
 
 def turned(joints: tuple[str, ...], angles: tuple[float, ...], point: Any) -> Any:
-    """A point (px) of the figure at rest, moved by the joints as rig.js moves it."""
+    """Move a point (px) of the figure at rest by the joints, as rig.js does."""
     for joint in reversed(joints):
         index, factor, x, y = FIGURE["turns"][joint]
         angle = factor * angles[int(index)]
@@ -47,10 +47,10 @@ def test_the_joints_are_those_of_a_message() -> None:
 def test_each_face_has_eyes_a_mouth_and_a_lamp_of_its_own() -> None:
     own = {face: [one for one in FIGURE["parts"] if face in one.get("faces", ())] for face in FACES}
     assert {face: len(parts) for face, parts in own.items()} == {
-        "awake": 4,  # lamp, antenna, eyes, mouth; some are shared with another face
+        "awake": 4,  # lamp, antenna, eyes, mouth; another face may share some
         "operational": 4,
         "error": 4,
-        "asleep": 5,  # and what it says in its sleep
+        "asleep": 5,  # and the letters while it sleeps
     }
     signs = [one["sign"] for one in FIGURE["parts"] if "sign" in one]
     assert signs == ["heart", "battery", "level", "alarm", "thought"]

@@ -40,7 +40,7 @@ def recording(
 
 
 def shaded(picture: bytes, row: int = 0) -> list[tuple[int, int]]:
-    """First and last column (dots) of each shaded stretch of a row."""
+    """Return the first and last column (dots) of each shaded stretch of a row."""
     columns = reddish(picture)[int(24 + 80 * row) : int(84 + 80 * row)].any(axis=0).astype(int)
     steps = np.diff(np.concatenate(([0], columns, [0])))
     starts, ends = np.nonzero(steps == 1)[0], np.nonzero(steps == -1)[0]

@@ -1,4 +1,4 @@
-"""Small programs for the judge to run, and ways to see what became of them."""
+"""Small programs for the judge to run, and ways to find out what became of them."""
 
 import os
 import subprocess
@@ -24,11 +24,11 @@ def line_of_ancestors():
 def judge():
     return next(pid for pid, command in line_of_ancestors() if b"workbook.grading.slots" in command)
 """
-"""For an answer that is not sandboxed: who started it, and the slot that judges it (another process forked it)."""
+"""For an answer without a sandbox: finds the process that started it, and the slot that judges it."""
 
 
 def write(folder: Path, text: str, name: str = "answer.py") -> Path:
-    """Store a program, without the indentation it has in the test."""
+    """Write a program to a file, without the indentation that it has in the test."""
     path = folder / name
     path.write_text(textwrap.dedent(text).lstrip("\n"), encoding="utf-8")
     return path
@@ -39,10 +39,10 @@ def wait_until(
     what: str = "a condition",
     instead: Callable[[], object] = lambda: "nothing",
 ) -> None:
-    """Wait until a condition holds; fail when it does not within two minutes.
+    """Wait until a condition is true. Fail if that takes more than two minutes.
 
-    It then says `what` was waited for, and what there is `instead`. Whoever looks without a pause takes the processor
-    from what is waited for: between two looks passes four times what the last one took.
+    The failure names `what` was waited for, and the state `instead`. Polling without pauses would take CPU time from
+    the awaited process, so each pause is four times as long as the last poll.
     """
     deadline = time.monotonic() + PATIENCE_S
     while True:
@@ -55,7 +55,7 @@ def wait_until(
 
 
 def is_gone(pid: int) -> bool:
-    """Whether a process has ended (a zombie that nobody of ours must reap counts as ended)."""
+    """Return whether a process has ended (a zombie that isn't ours to reap counts as ended)."""
     try:
         state = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
     except OSError:
@@ -75,7 +75,7 @@ def children_of_this_process() -> set[int]:
 
 @contextmanager
 def talking_program(code: str) -> Iterator[subprocess.Popen[str]]:
-    """A program that has printed "up" and can be written to; killed in the end, with its children."""
+    """Start a program that has printed "up" and reads its input. At the end, kill it and its children."""
     process = subprocess.Popen(
         [sys.executable, "-I", "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     )

@@ -1,4 +1,4 @@
-"""Ctrl-C is the same for a program whoever started it: a terminal, or a grading slot that ignores it."""
+"""Ctrl-C works in the same way, whether a terminal or a grading slot that ignores it started the program."""
 
 import signal
 from pathlib import Path

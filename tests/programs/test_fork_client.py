@@ -1,4 +1,4 @@
-"""Programs that are forked into their sandbox: a program cannot tell, and its owner need not know."""
+"""Programs that are forked into their sandbox: neither the program nor its owner needs to notice."""
 
 import json
 import signal
@@ -118,7 +118,7 @@ def domain() -> Iterator[int]:
 
 @pytest.fixture
 def start(tmp_path: Path, domain: int, server: ForkServer) -> Iterator[Start]:
-    """Starts programs in a sandbox: forked ("warm"), or in a fresh Python."""
+    """Start programs in a sandbox: forked ("warm"), or in a fresh Python."""
     started: list[NodeProcess] = []
 
     def start_it(text: str, *arguments: str, warm: bool = True) -> NodeProcess:
@@ -136,7 +136,7 @@ def start(tmp_path: Path, domain: int, server: ForkServer) -> Iterator[Start]:
 
 
 def finished(program: NodeProcess) -> str:
-    """The log of a program that ends by itself."""
+    """Run a program that ends by itself, and return its log."""
     assert program.wait(60.0)
     program.stop()
     return program.log.text()

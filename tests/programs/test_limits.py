@@ -1,4 +1,4 @@
-"""Limits of a program: what it takes too much of ends it, and is named."""
+"""A program's limits: exceeding one ends the program, and the record names the limit."""
 
 import os
 import resource
@@ -28,7 +28,7 @@ def domain() -> Iterator[int]:
 
 
 def ended(folder: Path, domain: int, program: str, **limits: int) -> ProcessRecord:
-    """The record of a program under these limits, which ends without being asked to."""
+    """Return the record of a program under these limits, which ends without a request."""
     with NodeProcess(ProgramSpec(write(folder, program), limits=Limits(**limits)), domain) as process:
         assert process.wait(60.0), "nothing ended it"
         process.log.finish(1.0)
@@ -122,7 +122,7 @@ time.sleep(60)
 
 
 def test_threads_of_all_processes_together_are_limited(tmp_path: Path, domain: int) -> None:
-    """Where the grader is root, no limit of the kernel counts them."""
+    """If root runs the grader, no kernel limit counts them."""
     program = """
 import os, threading, time
 for _ in range(3):

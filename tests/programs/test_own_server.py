@@ -1,4 +1,4 @@
-"""Programs that are forked without a sandbox: they cannot tell, and none of them outlives whoever has started it."""
+"""Programs that are forked without a sandbox: they can't tell the difference, and none outlives its starter."""
 
 import json
 import os
@@ -64,7 +64,7 @@ def domain() -> Iterator[int]:
 
 @pytest.fixture
 def start(tmp_path: Path, domain: int, server: OwnServer, monkeypatch: pytest.MonkeyPatch) -> Iterator[Start]:
-    """Starts programs, forked or in a fresh Python."""
+    """Start programs, forked or in a fresh Python."""
     started: list[NodeProcess] = []
 
     def start_it(text: str, *arguments: str, forked: bool = True, **options: object) -> NodeProcess:
@@ -81,9 +81,9 @@ def start(tmp_path: Path, domain: int, server: OwnServer, monkeypatch: pytest.Mo
 
 
 def of_itself(program: NodeProcess) -> dict[str, object]:
-    """What a program has seen of itself, without the name of its own folder and the number of its mark."""
+    """Return what a program finds out about itself, without its folder's name and its mark's number."""
     seen = dict(json.loads(OWN_FOLDER.sub(r"\1…", finished(program))))
-    seen.pop("others")  # not in a sandbox: all processes of the machine
+    seen.pop("others")  # without a sandbox, it sees all processes of the machine
     return seen
 
 
@@ -232,7 +232,7 @@ def test_what_a_program_leaves_behind_goes_and_the_server_stays(tmp_path: Path, 
 def test_a_program_that_nobody_waits_for_ends_and_nobody_hears_of_it(
     server: OwnServer, tmp_path: Path, domain: int, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """Its owner gives up waiting for the number of the program: then there is nobody who could end it."""
+    """Its owner gives up before it gets the program's process id, so no other process could end the program."""
     warm = server.ready()
     assert warm is not None and warm._channel is not None
     program = write(tmp_path, "import os, time\nprint(os.getpid(), flush=True)\ntime.sleep(600)\n")

@@ -1,4 +1,4 @@
-"""NodeProcess: a bounded log, a clean child, and an end that nothing survives."""
+"""NodeProcess: a limited log, a clean child process, and an end that no child survives."""
 
 import os
 import sys
@@ -26,12 +26,12 @@ Start = Callable[..., NodeProcess]
 
 
 def scratch_folders() -> set[Path]:
-    """Folders that this very process has made and not removed."""
+    """Return the folders that this process has made and not removed."""
     return set(Path(tempfile.gettempdir()).glob(f"rclpy-workbook-{os.getuid()}-{os.getpid()}-run-*"))
 
 
 def mapped_shared_memory(pid: int) -> set[str]:
-    """Shared memory of Fast DDS that a living process uses. What it does not use it cannot leave behind."""
+    """Return the shared memory of Fast DDS that a running process maps. It can't leave behind anything else."""
     try:
         maps = Path(f"/proc/{pid}/maps").read_text()
     except OSError:
@@ -47,7 +47,7 @@ def domain() -> Iterator[int]:
 
 @pytest.fixture(scope="module")
 def server() -> Iterator[OwnServer]:
-    """Forks programs at once."""
+    """Provide a server that forks programs immediately."""
     own = OwnServer()
     own.keep()
     wait_until(own.ready)
@@ -61,7 +61,7 @@ def server() -> Iterator[OwnServer]:
 def start(
     request: pytest.FixtureRequest, tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Start]:
-    """Starts programs; whatever the test does, none of them, no folder and no zombie is left."""
+    """Start programs. At the end, no program, folder, or zombie is left, whatever the test does."""
     started: list[NodeProcess] = []
     forked = request.param == "forked"
     own = request.getfixturevalue("server") if forked else OwnServer()
@@ -84,14 +84,14 @@ def start(
 
 
 def finished(program: NodeProcess) -> str:
-    """The log of a program that ends by itself."""
+    """Run a program that ends by itself, and return its log."""
     assert program.wait(60.0)
     program.stop()
     return program.log.text()
 
 
 def logged_numbers(program: NodeProcess, count: int) -> list[int]:
-    """Process ids that the program has printed, once there are `count` of them."""
+    """Return the process ids that the program has printed, once there are `count` of them."""
     wait_until(lambda: len(program.log.text().split()) >= count)
     return [int(word) for word in program.log.text().split()[:count]]
 
@@ -395,7 +395,7 @@ def test_a_node_leaves_nothing_in_shared_memory_and_tells_its_domain(start: Star
 def test_a_node_leaves_no_shared_memory_however_it_ends(
     tmp_path: Path, domain: int, write_profile: Callable[[Path], Path] | None
 ) -> None:
-    """What it does not use it cannot leave behind when it is killed."""
+    """A killed node can't leave behind shared memory that it doesn't use."""
     program = write(tmp_path, "import rclpy\nrclpy.init()\nrclpy.spin(rclpy.create_node('humanoid'))\n")
     with NodeProcess(ProgramSpec(program), domain, write_profile=write_profile) as process:
         wait_until(lambda: process.domains_used() == (domain,))

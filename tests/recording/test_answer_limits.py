@@ -1,4 +1,4 @@
-"""Limits of an answer: what people read says the values that are enforced."""
+"""The documented limits of an answer are the enforced ones."""
 
 import re
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""The codec: what it writes it reads, what does not fit is named by its place, and stored formats stay as they are."""
+"""The codec can read what it writes, names the place of invalid data, and keeps stored formats unchanged."""
 
 import json
 import math
@@ -142,7 +142,7 @@ def test_what_json_cannot_hold_is_not_written() -> None:
 
 
 def as_before(value: Any) -> Any:
-    """What recordings were written with until they got a codec: every field of every object in its order."""
+    """Return what recordings contained before there was a codec: every field of every object in order."""
     if isinstance(value, float) and not math.isfinite(value):
         return {"float": str(value)}
     if isinstance(value, (str, int, float, bool)) or value is None:

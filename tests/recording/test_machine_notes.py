@@ -1,4 +1,4 @@
-"""What is read out of the notes of a machine: what waited, what was thrown away, which ticks were missed."""
+"""Evaluate a machine's notes: waiting messages, dropped messages, and missed ticks."""
 
 from typing import Any
 

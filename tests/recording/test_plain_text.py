@@ -1,4 +1,4 @@
-"""Text of a program: nothing in it is a command, nothing is invisible, and words and names stay readable."""
+"""A program's text: nothing in it is a command or invisible, but words and names stay readable."""
 
 import unicodedata
 
@@ -47,7 +47,7 @@ def test_what_nobody_sees_goes(kind: str) -> None:
         "two words\n\tand a line",
         "no\xa0break, \u3000wide",
         "نور الدین",
-        "می\u200cخواهم",  # with a zero width non-joiner, as Persian is written
+        "می\u200cخواهم",  # with a zero-width non-joiner, as in Persian
         "क्\u200dष",
         "👩\u200d🔬 👨\u200d👩\u200d👧 ❤\ufe0f 👩\u200d❤\ufe0f\u200d👨",
         "Zoë Ångström-Łukasz 李小龍 Ⅷ ½ €",

@@ -1,4 +1,4 @@
-"""A recording survives being stored, whatever was in the messages; what is damaged is refused."""
+"""A recording survives being stored, whatever its messages contain. Damaged recordings are refused."""
 
 import array
 import copy
@@ -90,7 +90,7 @@ recordings = st.builds(
 
 
 def same(one: Any, other: Any) -> bool:
-    """Equal, with NaN equal to itself and 1 not equal to 1.0 or True."""
+    """Return whether two values are equal. NaN equals itself, but 1 equals neither 1.0 nor True."""
     if type(one) is not type(other):
         return False
     if isinstance(one, float):
@@ -105,7 +105,7 @@ def same(one: Any, other: Any) -> bool:
 
 
 def holds(new: Any, old: Any) -> bool:
-    """Whether stored data holds all of what was stored before; a later version may have added fields to it."""
+    """Return whether stored data includes all of an older version's data. A later version may have added fields."""
     if isinstance(old, dict):
         return isinstance(new, dict) and all(key in new and holds(new[key], old[key]) for key in old)
     if isinstance(old, list):
@@ -151,7 +151,7 @@ def test_what_is_no_recording_is_refused(data: Any) -> None:
 
 
 def damages(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
-    """The place of every container and field in a stored recording, down to the first arrival."""
+    """Yield the place of every container and field in a stored recording, down to the first arrival."""
     found = [path] if path else []
     if path[-1:] == ("value",):
         return found

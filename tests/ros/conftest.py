@@ -1,4 +1,4 @@
-"""Kernels and scripts, each a process of its own with a domain of its own."""
+"""Kernels and scripts, each in a separate process with a separate domain."""
 
 import os
 import signal
@@ -52,7 +52,7 @@ get_ipython().reset(new_session=False)
 
 @dataclass
 class Outcome:
-    """What one cell gave: its streams in order, its result, its error."""
+    """The outcome of a cell: its streams in order, its result, its error."""
 
     text: str = ""
     stderr: str = ""
@@ -104,7 +104,7 @@ class Kernel:
         return outcome
 
     def wait_for_text(self, request: str, text: str) -> None:
-        """Read output of a running cell until `text` has come."""
+        """Read a running cell's output until it contains `text`."""
         seen = ""
         while text not in seen:
             message = self.client.get_iopub_msg(timeout=CELL_LIMIT_S)
@@ -119,7 +119,7 @@ class Kernel:
         return int(self.manager.provisioner.pid)
 
     def close(self) -> int | None:
-        """End the kernel as Jupyter does; its exit code (None when it had to be killed or nobody knows)."""
+        """End the kernel as Jupyter does. Return its exit code (None if it was killed or the code is unknown)."""
         process = self.manager.provisioner.process
         self.client.shutdown()
         try:
@@ -155,7 +155,9 @@ def open_kernel(tmp_path: Path) -> Iterator[Callable[..., Kernel]]:
         return opened[-1]
 
     yield open_one
-    for kernel in opened:  # in order: the ghost of a killed one would be seen by whoever has its domain next
+    for (
+        kernel
+    ) in opened:  # in order: after a killed kernel, the next owner of its domain would still see its node
         if kernel.manager.has_kernel:
             kernel.close()
 
@@ -167,7 +169,7 @@ def kernel(open_kernel: Callable[..., Kernel]) -> Kernel:
 
 @pytest.fixture(scope="module")
 def kernels_at_hand() -> Iterator[list[Kernel]]:
-    """Kernels that have forgotten what an earlier test did in them."""
+    """Provide kernels whose namespace is reset between tests."""
     at_hand: list[Kernel] = []
     yield at_hand
     for kernel in at_hand:
@@ -176,7 +178,7 @@ def kernels_at_hand() -> Iterator[list[Kernel]]:
 
 @pytest.fixture
 def used_kernel(kernels_at_hand: list[Kernel], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Kernel]:
-    """A kernel like one in which another lesson ran before."""
+    """Provide a kernel in which another lesson seems to have run before."""
     kernel = kernels_at_hand.pop() if kernels_at_hand else launch(tmp_path_factory.mktemp("kernel"))
     kernel.good(NAMES)
     yield kernel
@@ -194,7 +196,7 @@ def domain() -> Iterator[int]:
 
 @pytest.fixture
 def start_script(tmp_path: Path, domain: int) -> Iterator[Callable[..., "subprocess.Popen[str]"]]:
-    """Starts Python code as a process on the test's domain."""
+    """Start Python code as a process on the test's domain."""
     started: list[subprocess.Popen[str]] = []
 
     def start(code: str, **environ: str) -> "subprocess.Popen[str]":

@@ -1,4 +1,4 @@
-"""An observer as the panel starts it, and what it tells."""
+"""An observer as the panel starts it, with the events that it reports."""
 
 import json
 import os
@@ -15,7 +15,7 @@ LIMIT_S = 60.0
 
 
 class Watcher:
-    """An observer process. `told` is all that it told so far; `wait` waits for more."""
+    """An observer process. `told` contains all its reports so far; `wait` waits for more."""
 
     def __init__(self) -> None:
         self.told: list[dict[str, Any]] = []
@@ -43,7 +43,7 @@ class Watcher:
         self.process.stdin.flush()
 
     def wait(self, kind: str, fits: Callable[[dict[str, Any]], object] = lambda news: True) -> dict[str, Any]:
-        """The last thing of a kind that it told, once that fits."""
+        """Wait until the last report of a kind fits, and return it."""
         end = time.monotonic() + LIMIT_S
         with self._news:
             while True:
@@ -53,14 +53,14 @@ class Watcher:
                 assert self._news.wait(end - time.monotonic()), f"so far: {str(self.told)[-2000:]}"
 
     def heard(self, kind: str, fits: Callable[[dict[str, Any]], object]) -> None:
-        """Wait until it has told a thing of a kind that fits, however much it has told since."""
+        """Wait until any report of a kind fits, even if later ones don't."""
         end = time.monotonic() + LIMIT_S
         with self._news:
             while not any(one["kind"] == kind and fits(one) for one in self.told):
                 assert self._news.wait(end - time.monotonic()), f"so far: {str(self.told)[-2000:]}"
 
     def close(self) -> int:
-        """End its input; its exit code."""
+        """Close its input, and return its exit code."""
         assert self.process.stdin is not None and self.process.stdout is not None
         self.process.stdin.close()
         code = self.process.wait(20)

@@ -1,4 +1,4 @@
-"""Domain leases: one holder per domain, whatever happens to the holder."""
+"""Domain leases: each domain has one holder, however the holder ends."""
 
 import os
 import socket
@@ -26,7 +26,7 @@ sys.stdin.read()
 
 @pytest.fixture(autouse=True)
 def _own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Markers of resting domains go to a folder of the test."""
+    """Put the markers of resting domains into a folder of this test."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
 
 
@@ -38,7 +38,7 @@ def held() -> Iterator[DomainLease]:
 
 @pytest.fixture
 def all_leased(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[DomainLease]]:
-    """Leases of all domains, under names that no other process uses."""
+    """Lease all domains, under names that no other process uses."""
     monkeypatch.setattr(domains, "SOCKET_PREFIX", f"test-{os.getpid()}/")
     monkeypatch.setattr(domains, "udp_ports_in_use", set)
     with ExitStack() as leases:
@@ -95,7 +95,7 @@ def test_a_lease_dies_with_its_holder() -> None:
 
 
 def test_a_child_does_not_inherit_the_lease(held: DomainLease) -> None:
-    """A program that outlives its observer must not keep the domain."""
+    """A program that outlives its observer must not hold the domain."""
     with subprocess.Popen(
         [sys.executable, "-c", "import sys; print('up', flush=True); sys.stdin.read()"],
         stdin=subprocess.PIPE,
@@ -124,7 +124,7 @@ def test_a_domain_rests_after_a_kill(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_rest_in_the_future_is_no_rest(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Somebody has set the clock back by a day."""
+    """As after the clock was set back by a day."""
     lease = lease_domain()
     lease.release(killed=True)
     yesterday = domains.time.time() - 86_400
@@ -148,7 +148,7 @@ def test_a_cache_that_cannot_be_written_only_costs_the_rest(
 def test_nothing_can_be_sent_to_what_holds_a_lease(
     kind: socket.SocketKind, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It would stay there as long as the lease, and what comes next would find it."""
+    """A message would stay in the socket for the whole lease, and the next process would receive it."""
     monkeypatch.setattr(domains, "SOCKET_PREFIX", prefix := f"test-{os.getpid()}/")
     with lease_domain() as lease, socket.socket(socket.AF_UNIX, kind) as sender:
         announced = [name for name in unix_socket_names() if f"/{lease.domain_id}/{os.getpid()}/" in name]

@@ -1,4 +1,4 @@
-"""A slider for a parameter of a program: each move starts the program again, and nothing is left in the end."""
+"""A slider for a parameter of a program. Each move restarts the program, and no process is left at the end."""
 
 from pathlib import Path
 from typing import Any

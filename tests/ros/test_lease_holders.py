@@ -1,4 +1,4 @@
-"""Who holds a domain is told: user, process, moment and command, and nobody can put the blame on others."""
+"""Report who holds a domain: user, process, time, and command. No process can put the blame on another."""
 
 import os
 import re
@@ -39,7 +39,7 @@ def holder_of(domain_id: int) -> Holder | None:
 
 
 def bound(*names: str, user: int | None = None) -> "subprocess.Popen[str]":
-    """A process that holds these abstract sockets."""
+    """Start a process that holds these abstract sockets."""
     command = ["/usr/bin/env", "python3", "-I", "-S", "-c", BINDS, *names]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, user=user, cwd="/")
@@ -49,7 +49,7 @@ def bound(*names: str, user: int | None = None) -> "subprocess.Popen[str]":
 
 @pytest.fixture
 def own_names(monkeypatch: pytest.MonkeyPatch) -> str:
-    """Names that no lease of this machine has, so that no other process is disturbed."""
+    """Use names that no other lease on this machine has, so that other processes aren't disturbed."""
     prefix = f"test-{os.getpid()}/"
     monkeypatch.setattr(module, "LEASE_PREFIX", prefix + LEASE_PREFIX)
     monkeypatch.setattr(module, "HOLDER_PREFIX", prefix + HOLDER_PREFIX)
@@ -57,7 +57,7 @@ def own_names(monkeypatch: pytest.MonkeyPatch) -> str:
 
 
 class WithoutNetlink(socket.socket):
-    """Where a sandbox or an old kernel refuses questions."""
+    """A socket class for a sandbox or an old kernel that refuses Netlink queries."""
 
     def __init__(self, family: int = -1, *others: int, **more: Any) -> None:
         if family == socket.AF_NETLINK:
@@ -100,7 +100,7 @@ def test_who_announces_nothing_is_known_by_the_user(own_names: str) -> None:
 
 
 def test_nobody_puts_the_blame_on_another_users_process(own_names: str) -> None:
-    if ME != 0:  # only root can be two users
+    if ME != 0:  # only root can act as two users
         return
     lease, blames = f"{own_names}{LEASE_PREFIX}7", f"{own_names}{HOLDER_PREFIX}7/{os.getpid()}/1"
     with bound(lease, blames, user=NOBODY) as stranger:

@@ -1,4 +1,4 @@
-"""More programs on one domain than each of them announces itself to: who came first hears of all."""
+"""More programs on a domain than each of them announces itself to: the first one still discovers all of them."""
 
 import subprocess
 import sys

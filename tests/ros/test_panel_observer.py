@@ -1,4 +1,4 @@
-"""What the panel is told of a domain, and that the domain does not notice it."""
+"""What the panel learns about a domain, and that the domain doesn't notice the panel."""
 
 import math
 import os
@@ -26,7 +26,7 @@ print(child.pid, flush=True)
 input()
 """
 ANGLE = 0.125
-"""A number that is the same as a Float32."""
+"""A number that float32 represents exactly."""
 COUNTS = "print(pub.get_subscription_count(), *node_list(), *talker.get_node_names())"
 
 
@@ -122,7 +122,7 @@ def test_it_ends_with_its_parent() -> None:
 
 
 class FakePublisher:
-    """As much of a publisher as the tap looks at."""
+    """The part of a publisher that the tap uses."""
 
     def __init__(self, topic: str, kind: type = String) -> None:
         self.topic_name, self.msg_type = topic, kind
@@ -239,7 +239,7 @@ def test_a_response_is_reported_and_is_no_topic(kernel: Any, watcher: Watcher) -
     watcher.order(domain=domain_of(kernel))
     watcher.wait("graph", lambda one: one["nodes"] == ["/self_test"])
     kernel.good("future = client.call_async(Trigger.Request())\nspin_for(node, seconds=1)")
-    # Words are sent at most a few times a second, so they may come after the shake and be gone again soon.
+    # Words are sent at most a few times a second, so they may come after the shake and disappear again soon.
     watcher.heard("robot", lambda one: one.get("shake"))
     words = "self_test: success: False, message: the left knee is stiff"
     watcher.heard("robot", lambda one: one.get("words") == words)

@@ -1,4 +1,4 @@
-"""What messages do to the robot of the panel."""
+"""How messages move the panel's robot."""
 
 import base64
 import io

@@ -1,4 +1,4 @@
-"""Cells of a lesson, run in a plain Python that no kernel has set up."""
+"""A lesson's cells in a plain Python that no kernel has set up."""
 
 import os
 import subprocess
@@ -22,7 +22,7 @@ print("/dev/shm/fastrtps" in Path("/proc/self/maps").read_text())
 
 
 def test_its_traffic_stays_here_and_uses_no_shared_memory() -> None:
-    """A program that is killed would leave its shared memory behind: Fast DDS removes it only at an orderly end."""
+    """A killed program would leave its shared memory behind, because Fast DDS removes it only at an orderly end."""
     environ = {name: value for name, value in os.environ.items() if not name.startswith(("FASTRTPS", "ROS_"))}
     done = subprocess.run(
         [sys.executable, "-c", CELL], env=environ, capture_output=True, text=True, timeout=120

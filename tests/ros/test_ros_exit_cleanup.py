@@ -1,4 +1,4 @@
-"""How processes end that used ROS and forgot to tidy up."""
+"""How processes end that used ROS and didn't clean up."""
 
 from pathlib import Path
 
@@ -87,7 +87,7 @@ def test_a_kernel_ends_with_zero_and_leaves_nothing(open_kernel, code):
     kernel.good("import threading\ninit(); talker = fresh(Talker)\n" + code)
     if "Thread" not in code:
         assert kernel.good(threads).text == at_start
-    # What it does not map it cannot leave behind; other processes of this machine may use /dev/shm meanwhile.
+    # It can't leave behind memory that it doesn't map. /dev/shm itself is shared with other processes.
     mapped = Path(f"/proc/{kernel.pid}/maps").read_text()
     assert "/dev/shm/fast" not in mapped
     assert "/dev/shm/sem.fast" not in mapped

@@ -1,4 +1,4 @@
-"""Log lines and prints, in the order in which the code made them."""
+"""Log lines and prints appear in the order in which the code produced them."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""Nodes that run inside a notebook: again and again, interrupted, failing."""
+"""Nodes inside a notebook: created repeatedly, interrupted, and failing."""
 
 import pytest
 
@@ -73,7 +73,7 @@ def test_run_stops_exactly_when_the_condition_holds(kernel):
 
 
 def test_a_condition_that_was_true_once_has_become_true(kernel):
-    """As with a slider that is moved while the last frame is drawn: its cell would go on, but it has ended."""
+    """As when a slider moves while the last frame is drawn: its cell would continue, but it has ended."""
     kernel.good(
         "init(); talker = fresh(Talker, 0.01)\n"
         "asked = []\n"
@@ -183,7 +183,7 @@ def made(self, **fields):
         signal.raise_signal(signal.SIGINT)
 String.__init__ = made
 """
-"""Interrupt comes while the third message is made for a callback."""
+"""The interrupt comes while the third message is being created for a callback."""
 
 
 @pytest.mark.parametrize(
@@ -222,7 +222,7 @@ def interrupt_in(owner, name, caller):
     exec(LIBRARY_CALL, place)
     setattr(owner, name, place["call"])
 """
-"""Interrupt comes in Python's own library, called by rclpy just before a callback."""
+"""The interrupt comes in Python's standard library, which rclpy calls just before a callback."""
 PLACES = (
     "inspect, 'iscoroutine', '__call__'",
     "threading.Condition, '__enter__', '__enter__'",
@@ -267,7 +267,7 @@ def test_other_tasks_and_pictures_go_on_while_nodes_run(kernel):
 
 
 def test_pictures_slower_than_their_rate_leave_room_for_messages(kernel):
-    # Each picture takes twice the time that its rate leaves: a slow or busy machine.
+    # Each frame takes twice as long as its rate allows, as on a slow or busy machine.
     heard = kernel.good(
         "init()\n"
         "talker = fresh(Talker, 0.02)\n"

@@ -1,4 +1,4 @@
-"""Looking at a known graph: nodes of this kernel and of another process."""
+"""Query a known graph: nodes of this kernel and of another process."""
 
 import io
 import os
@@ -18,7 +18,8 @@ from workbook.ros.environment import child_environment, profile_with_default_tim
 from workbook.ros.notebook_registry import OpenNotebook, announce, open_notebooks, withdraw
 from workbook.ros.topic_monitor import rate_of
 
-# Everybody here publishes ten times per second; a busy machine lets fewer through, or many at once.
+# Each publisher here publishes ten times per second. On a busy machine, fewer messages get through, or many at the same
+# time.
 MOST_PER_SECOND = 40
 ROBOT = """
 import rclpy
@@ -175,7 +176,7 @@ def test_a_look_is_quick(kernel, robot):
         "times = []\nfor _ in range(5):\n    start = time.perf_counter()\n    graph()\n"
         "    times.append(time.perf_counter() - start)\nprint(sorted(times)[2])"
     )
-    assert float(outcome.text) < 2.0  # whoever runs here has answered before
+    assert float(outcome.text) < 2.0  # all programs here have responded before
 
 
 def command(*arguments, **environ):
@@ -227,7 +228,7 @@ rclpy.try_shutdown()
 
 @pytest.fixture
 def plain_programs(tmp_path, domain):
-    """Three programs that announce themselves as rarely as a program without our profile: every three seconds."""
+    """Start three programs that announce themselves every three seconds, as programs without our profile do."""
     programs = []
     for number in range(3):
         file = tmp_path / f"player_{number}.py"
@@ -240,7 +241,7 @@ def plain_programs(tmp_path, domain):
 
 
 def until_all_are_seen(domain):
-    """Wait until the three programs have been started."""
+    """Wait until the three programs are visible."""
     end = time.monotonic() + 60
     while len(workbook("node", "list", f"--domain={domain}").stdout.split()) < 3:
         assert time.monotonic() < end
@@ -248,7 +249,7 @@ def until_all_are_seen(domain):
 
 @pytest.mark.whole
 def test_every_look_waits_for_programs_that_announce_themselves_rarely(plain_programs, domain):
-    """Whoever looks may wait for three seconds: then all answer, and nothing is reported as missing."""
+    """A query may wait for three seconds: by then, all have responded, and none is reported as missing."""
     until_all_are_seen(domain)
     for _ in range(6):
         done = workbook("node", "list", f"--domain={domain}")

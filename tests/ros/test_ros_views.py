@@ -1,4 +1,4 @@
-"""The robot of a lesson: drawn when it moves, and only then."""
+"""A lesson's robot is drawn when it moves, and only then."""
 
 import pytest
 

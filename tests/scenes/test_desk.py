@@ -1,4 +1,4 @@
-"""Pictures of the desk: the same for the same seed, and everything where the geometry says."""
+"""Images of the desk: the same for the same seed, and everything where the geometry puts it."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ FULL = Scene(on_desk(0.7, 0.1), on_desk(0.9, -0.2), (Box((0.95, 0.3), turn=0.4),
 
 
 def orange_center(picture: Picture) -> tuple[float, float]:
-    """Center of what is orange, each pixel weighted by how orange it is."""
+    """Return the center of the orange pixels, weighted by how orange they are."""
     wide = picture.astype(float) + 1.0
     weight = np.clip(
         (wide[..., 0] - wide[..., 2]) / wide[..., 0] - 0.2, 0.0, 0.5
@@ -25,7 +25,7 @@ def orange_center(picture: Picture) -> tuple[float, float]:
 
 
 def ellipse_center(pinhole: Pinhole, ball: Vector) -> tuple[float, float]:
-    """Where the middle of a ball's outline is seen: a little further out than the middle of the ball."""
+    """Return the center of a ball's outline in the image, which is slightly farther out than the ball's center."""
     (u, v), middle = pinhole.pixel(ball), pinhole.center
     shift = 1.0 / (1.0 - (BALL_RADIUS_M / ball[2]) ** 2)
     return middle[0] + shift * (u - middle[0]), middle[1] + shift * (v - middle[1])
@@ -33,7 +33,7 @@ def ellipse_center(pinhole: Pinhole, ball: Vector) -> tuple[float, float]:
 
 def test_the_same_seed_gives_the_same_bytes() -> None:
     one, other = DeskCamera(SMALL, 15), DeskCamera(SMALL, 15)
-    one.picture(FULL, 3)  # what was taken before plays no part
+    one.picture(FULL, 3)  # an earlier image has no effect
     assert one.picture(FULL, 7).tobytes() == other.picture(FULL, 7).tobytes()
 
 
@@ -70,7 +70,7 @@ def test_the_ball_is_where_the_pinhole_model_says(pinhole: Pinhole, place: tuple
     picture = DeskCamera(pinhole, 15, noise=0.0).picture(Scene(on_desk(*place)), 0)
     center = pinhole.seen_from(on_desk(*place))
     wanted = ellipse_center(pinhole, center)
-    # What is seen of its lower edge is dark, so the estimate of the test lies a little too high.
+    # The ball's visible lower edge is dark, so the test's estimate is slightly too high.
     assert orange_center(picture) == pytest.approx(wanted, abs=0.35)
 
 
@@ -145,7 +145,7 @@ def test_numbers_of_16_bits_and_brightness_with_color_differences() -> None:
 
 
 def test_the_desk_of_lesson_15_has_not_changed() -> None:
-    """Brightness of sixteen parts of a picture, as they were before the desk got cups and plates."""
+    """The brightness of sixteen parts of an image, from before the desk got cups and plates."""
     parts = DeskCamera(SMALL, 15).picture(FULL, 7).reshape(4, 30, 4, 40, 3).mean(axis=(1, 3, 4))
     told = [
         [131.435, 129.574, 129.639, 131.332],

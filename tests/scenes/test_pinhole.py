@@ -1,4 +1,4 @@
-"""The pinhole model: where a point is seen, and where a pixel looks."""
+"""The pinhole model: where a point appears, and in which direction a pixel looks."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Desks with toys: the same for the same seed, and the labels lie where the pixels change."""
+"""Desks with toys: the same for the same seed, and the labels match the pixels that change."""
 
 from dataclasses import replace
 

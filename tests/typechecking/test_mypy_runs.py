@@ -1,4 +1,4 @@
-"""mypy is loaded once for many runs; it ends with its owner, no sweep ends it, and it comes back when killed."""
+"""mypy is loaded once for many runs. It ends with its owner, survives each cleanup, and restarts when killed."""
 
 import os
 import signal
@@ -18,8 +18,8 @@ from workbook.typechecking.mypy_runs import MypyRun, MypyServer, Outcome
 PATIENCE_S = 300.0
 MEMORY = 2_500_000_000
 QUICK = ("--config-file=", "--no-incremental", "--no-error-summary", "answer.py")
-# mypy infers such an argument anew for each overload of the call around it: each level multiplies its work, and 12 of
-# them keep any machine busy for longer than a test.
+# mypy infers such an argument again for each overload of the enclosing call, so each level multiplies its work. 12
+# levels keep any machine busy for longer than a test.
 SLOW = f"best = {'sorted([1], key=lambda one: ' * 12}1{')[0]' * 12}\n"
 OWNER = """\
 import sys
@@ -73,7 +73,7 @@ def check(
 
 
 def run_under_way(server_pid: int) -> int:
-    """The process of the run that the server has begun."""
+    """Return the process of the run that the server has started."""
     wait_until(lambda: children(server_pid), "the run begins")
     return children(server_pid)[0]
 

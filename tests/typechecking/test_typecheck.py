@@ -1,4 +1,4 @@
-"""mypy as the judge runs it: what it finds, and what a program cannot do to keep it from finding."""
+"""mypy as the judge runs it: what it finds, and that no program can keep it from finding it."""
 
 import os
 import sys
@@ -56,7 +56,7 @@ def test_mistakes_are_found_by_line_and_code() -> None:
 
 
 def test_programs_of_one_length_are_not_taken_for_each_other() -> None:
-    """mypy goes by size and by whole seconds, and several programs may be checked in one second."""
+    """mypy compares sizes and whole seconds, but several programs may be checked within one second."""
     wrong, right = "level: int = 'a'\n", "level: int = 123\n"
     assert len(wrong) == len(right)
     for _ in range(6):
@@ -105,7 +105,7 @@ def test_nothing_is_found_in_nothing() -> None:
     assert type_check("") == ()
 
 
-# --- a program cannot keep mypy from looking --------------------------------------------------------------------
+# --- a program can't keep mypy from checking ----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -241,7 +241,7 @@ def test_settings_of_the_user_and_of_the_folder_do_not_count(
 
 
 def test_it_is_ended_when_it_takes_too_much_processor_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(typecheck, "_cache", None)  # of these packages the environment keeps nothing
+    monkeypatch.setattr(typecheck, "_cache", None)  # the environment stores nothing about these packages
     (finding,) = type_check("import numpy, matplotlib.pyplot\n" + HUNGRY, options=MypyOptions(processor_s=1))
     assert (finding.probe, finding.line, finding.code) == ("", 0, UNFINISHED)
     assert "1 s of processor time" in finding.message
@@ -249,7 +249,7 @@ def test_it_is_ended_when_it_takes_too_much_processor_time(monkeypatch: pytest.M
 
 @pytest.fixture
 def environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An environment in which mypy has not read anything, and a process that has checked nothing."""
+    """Provide an environment in which mypy has not read anything yet, and a process that has not checked anything."""
     monkeypatch.setattr(sys, "prefix", str(tmp_path))
     monkeypatch.setattr(typecheck, "_cache", None)
     return tmp_path

@@ -1,4 +1,4 @@
-"""What is kept of large fields: size, hash, and the features that an exercise declares; and what a camera costs."""
+"""What a recording keeps of large fields (size, hash, and an exercise's features), and what a camera costs."""
 
 import hashlib
 import os
@@ -44,7 +44,7 @@ rclpy.spin(node)
 
 
 def brightness(image: Image) -> dict[str, Any]:
-    """The mean of some of its values, and where the brightest of them is."""
+    """Return the mean of some of its values, and the position of the brightest one."""
     some = bytes(image.data[:: image.width])
     return {"mean": sum(some) / len(some), "brightest": [some.index(max(some)), max(some)]}
 
@@ -101,7 +101,7 @@ def test_features_are_few_and_plain(told: object) -> None:
 @pytest.mark.slow
 @pytest.mark.whole
 def test_a_camera_of_ten_seconds_fits(tmp_path: Path) -> None:
-    """640 by 480 pixels, 30 times a second: 277 MB, in the usual room."""
+    """640 by 480 pixels at 30 Hz: 277 MB, within the usual quota."""
     plan = plan_for([CAMERA_TOPIC], watching(wall_seconds=WATCH_S))
     with (
         Observer() as observer,

@@ -1,4 +1,4 @@
-"""Simulated time in steps: where it begins, how far each step goes, and what is remembered of it."""
+"""Simulated time in steps: where it begins, how far each step goes, and its record."""
 
 import time
 
@@ -9,7 +9,7 @@ from workbook.watching.clock import SimulatedClock
 
 
 class StandIn:
-    """Stands in for a node, and keeps what is published (ns)."""
+    """Replaces a node, and stores the published times (ns)."""
 
     def __init__(self) -> None:
         self.published: list[int] = []

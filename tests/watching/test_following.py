@@ -1,4 +1,4 @@
-"""Which topics follow the clock: pure arithmetic on stretches and times."""
+"""Which topics follow the clock, computed from stretches and times alone."""
 
 import pytest
 from hypothesis import given
@@ -12,12 +12,12 @@ FAST, SLOW = Stretch(40.0, 0.0, 9.0), Stretch(20.0, 9.0, 18.0)
 
 
 def each(period: float, start: float, end: float) -> list[float]:
-    """Times of a timer."""
+    """Return the times of a timer."""
     return [start + number * period for number in range(1, 1 + int((end - start) / period + 1e-9))]
 
 
 def of_the_wall_clock(period: float, stretches: list[Stretch]) -> list[float]:
-    """Times (s of simulated time) of what is published every `period` real seconds."""
+    """Return the times (s, simulated) of messages that are published every `period` real seconds."""
     times, real = [], 0.0
     for stretch in stretches:
         begun, real = real, real + (stretch.end - stretch.start) / stretch.speed
@@ -34,7 +34,7 @@ def test_equal_intervals_at_both_paces_follow() -> None:
 
 
 def test_what_is_quicker_than_the_steps_of_a_slow_clock_proves_nothing() -> None:
-    """On a busy machine simulated time went at 0.1 and 0.6: most messages of 50 Hz came within one step."""
+    """On a busy machine, simulated time ran at speeds of 0.1 and 0.6. Most messages at 50 Hz fell into one step."""
     stretches = [Stretch(0.113, 0.0, 0.2), Stretch(0.605, 0.2, 4.7), Stretch(0.2, 4.7, 9.0)]
     times = [moment // STEP_S * STEP_S for moment in of_the_wall_clock(0.02, stretches)]
     assert follows(stretches, times, STEP_S) is not True
@@ -91,11 +91,11 @@ def test_what_follows_is_never_taken_for_one_that_does_not(period: float, speeds
 def test_phases_are_compared_in_which_the_messages_came() -> None:
     speeds = (7.8, 3.2, 6.8, 3.0, 7.4, 2.8, 4.0, 1.8)  # as measured on a busy machine
     stretches = [Stretch(speed, 2.5 * n, 2.5 * (n + 1)) for n, speed in enumerate(speeds)]
-    assert follows(stretches, [0.5 * n for n in range(1, 13)], STEP_S) is True  # it stops after 6 s
+    assert follows(stretches, [0.5 * n for n in range(1, 13)], STEP_S) is True  # publishing stops after 6 s
 
 
 def test_a_pace_that_changes_once_follows_as_well() -> None:
-    """Five messages a second for 36 s, and then every second one is left out: so it went for such a program."""
+    """Five messages a second for 36 s, and then only every second one, as measured with a real program."""
     ends = (10.0, 17.6, 20.0, 30.0, 37.6, 40.0, 50.0, 57.6, 60.0)
     speeds = (90.0, 40.0, 95.0) * 3
     starts = (0.0, *ends)
@@ -107,7 +107,7 @@ def test_a_pace_that_changes_once_follows_as_well() -> None:
 @pytest.mark.parametrize("ratio", [2.0, 3.0])
 @pytest.mark.parametrize("change", [9.0, 13.0, 27.0, 40.0, 63.0])
 def test_nor_does_a_change_make_the_wall_clock_look_like_robot_time(change: float, ratio: float) -> None:
-    """Published every 0.02 real seconds, and then half as often."""
+    """Published every 0.02 real seconds, and later half as often."""
     stretches = [Stretch(40.0 if n % 2 == 0 else 40.0 / ratio, 9.0 * n, 9.0 * (n + 1)) for n in range(8)]
     first, then = (of_the_wall_clock(period, stretches) for period in (0.02, 0.04))
     times = [*(one for one in first if one <= change), *(one for one in then if one > change)]

@@ -1,4 +1,4 @@
-"""Whether a program is at rest, at work, or asleep by itself."""
+"""Whether a program is at rest, at work, or asleep on its own."""
 
 import time
 from contextlib import closing
@@ -73,7 +73,7 @@ def test_a_thread_that_sleeps_by_itself_is_not_at_rest(code: str) -> None:
         while lock.works:
             seen.append(lock.wait())
         assert State.AT_REST not in seen
-        # On a busy machine, the main thread may still be on its way to where it waits.
+        # On a busy machine, the main thread may not have reached its wait yet.
         assert seen.count(State.SLEEPING) == SLEEP_WAITS or seen.count(State.AT_WORK) == WORK_WAITS
 
 

@@ -1,4 +1,4 @@
-"""What is kept of a topic is bounded in bytes and in messages, and the recording says what was not."""
+"""A topic's recording is limited in bytes and messages, and says what it left out."""
 
 import hashlib
 
@@ -29,7 +29,7 @@ def watched(room: MessageQuota, kind: str = "Float32MultiArray") -> WatchedTopic
 
 
 def keep(topic: WatchedTopic, *messages: bytes) -> TopicRecording:
-    """The recording of a topic on which these messages came, one a second."""
+    """Record a topic with these messages, one per second."""
     for moment, raw in enumerate(messages, start=1):
         topic.keep(float(moment), float(moment), float(moment), raw)
     return finished(topic, END_S)
@@ -80,7 +80,7 @@ def test_what_comes_after_the_end_is_not_told() -> None:
 
 
 def test_a_large_message_takes_hardly_more_room_than_what_is_kept_of_it() -> None:
-    """A camera may bring 27 MB a second: of these, 4 MB hold more than seven."""
+    """A camera may send 27 MB a second. The quota of 4 MB still holds more than seven seconds of it."""
     seen = keep(watched(MessageQuota(4_000_000, 10_000), "UInt8MultiArray"), *[PICTURE] * 250)
     assert len(seen.arrivals) > 200
     assert seen.full_at == len(seen.arrivals) + 1
@@ -143,7 +143,7 @@ def test_each_judged_topic_has_room_of_its_own_and_the_others_share_theirs(recor
 
 
 def test_what_the_judge_says_itself_is_free(recording: Recording) -> None:
-    """It is heard by the recorder, too, where an answer publishes on the same topic."""
+    """The recorder receives it, too, if an answer publishes to the same topic."""
     heard = recording.topic("/heard")
     assert len(recording.published) == 5
     assert len([one for one in heard.arrivals if len(one.value["data"]) == 3000]) == 5

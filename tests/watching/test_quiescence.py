@@ -1,4 +1,4 @@
-"""Simulated time waits for a program that has work to do, but not for ever."""
+"""Simulated time waits for a program that has work to do, but not forever."""
 
 import time
 from contextlib import closing

@@ -1,4 +1,4 @@
-"""Processors that the host takes away: from the kernel's table to the longest standstill."""
+"""CPU time taken by the host: from the kernel's table to the longest standstill."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The judge speaks to a program: messages, services offered, services called, functions, and what stays behind."""
+"""What the judge does with a program: publish, offer services, call services and functions, and find leftovers."""
 
 import math
 import time
@@ -53,7 +53,7 @@ class Robot(Node):
 )
 LATER_S = 0.3
 TRIES = 3
-HANDED_OVER_S = 1.0  # what was said before comes a little after the match
+HANDED_OVER_S = 1.0  # earlier messages are delivered shortly after the match
 LEVELS = tuple(float(number) for number in range(20))
 
 
@@ -167,7 +167,7 @@ def bench(observer: Observer) -> Iterator[Node]:
 def test_a_node_whose_name_comes_after_its_publisher_is_waited_for(
     observer: Observer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What it is told next may end it, and then nobody would ever know of it."""
+    """The judge's next message may end the node, and then its name would stay unknown."""
     known = Recorder.present
     published: list[float] = []
 
@@ -218,7 +218,7 @@ def test_lines_that_come_late_keep_their_pauses_where_nobody_can_stop_the_clock(
 
 
 def test_the_parts_of_a_script_share_one_delay(bench: Node) -> None:
-    """The judge is held up while one part is due and another is not: both go on together."""
+    """If the judge is held up while only one part is due, both parts are delayed."""
     images = publish("/robot/level", Float32, [(1.0, 10.0), (2.0, 20.0), (3.0, 30.0)])
     samples = publish("/robot/other", Float32, [(1.5, 15.0), (2.5, 25.0)])
     player = ScriptPlayer(bench, Script((samples, images)), lambda moment: moment)
@@ -398,7 +398,7 @@ rclpy.try_shutdown()
 
 
 def test_twins_are_counted_and_a_clean_end_leaves_no_node(observer: Observer, tmp_path: Path) -> None:
-    """A good-bye that gets lost, as in one of a hundred ends on a very busy machine, is not repeated."""
+    """On a very busy machine, DDS may lose a goodbye message, which isn't repeated: about one in a hundred ends."""
     for _ in range(TRIES):
         recording = watch(observer, tmp_path, TWINS % "", seconds=0.5)
         assert {node.name: node.most for node in recording.nodes} == {"/arm": 2, "/robot/head": 1}

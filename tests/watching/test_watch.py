@@ -1,4 +1,4 @@
-"""Watching real programs: exact simulated time, honest doubt about others, and two observers that do not meet."""
+"""Watch real programs: exact simulated time, doubts about other programs, and two observers that don't interfere."""
 
 import threading
 from collections.abc import Callable, Iterator
@@ -120,18 +120,18 @@ def watched(observer: Observer, tmp_path: Path) -> Watched:
 
 
 def all_about(intervals: list[float], period: float) -> bool:
-    """Whether all intervals are the period (s), to a step of simulated time."""
+    """Return whether each interval equals the period (s) to within a step of simulated time."""
     return all(abs(one - period) <= 0.051 for one in intervals)
 
 
 def has_two_paces(recording: Recording) -> bool:
-    """Whether simulated time passed at two speeds, one at least twice the other."""
+    """Return whether simulated time ran at two speeds, one at least twice the other."""
     speeds = [stretch.speed for stretch in recording.stretches]
     return 2 * min(speeds) <= max(speeds)
 
 
 def real_speed(recording: Recording, stretch: Stretch) -> float:
-    """Seconds of simulated time in a real second, from the first message of a stretch to its last; 0 if unknown."""
+    """Return the simulated seconds per real second between a stretch's first and last message; 0 if unknown."""
     heard = [one for one in recording.topic("/battery").arrivals if stretch.start < one.t <= stretch.end]
     if len(heard) < 2:
         return 0.0
@@ -179,7 +179,7 @@ def test_an_arrival_tells_when_it_was_published(watched: Watched) -> None:
 def test_setting_the_clock_of_the_machine_moves_no_message(
     watched: Watched, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Messages carry the time of day. When that is set by an hour, the recorder's idea of it is wrong by an hour."""
+    """Message times come from the system clock. If it is set by an hour, the recorder's offset is wrong by an hour."""
     start_windows = Recorder.start_windows
 
     def set_clock(self: Recorder, t: float) -> None:
@@ -216,7 +216,7 @@ def test_a_program_on_its_own_clock_is_never_taken_for_one_that_follows(watched:
 
 
 def test_what_runs_beside_a_sleeping_thread_is_told_from_it(watched: Watched) -> None:
-    """One topic by a timer of the node, one by a thread that sleeps: the first one follows, and only that."""
+    """One topic is published by a timer, one by a sleeping thread. Only the first one follows the clock."""
     recording = watched(TIMER_AND_SLEEP)
     assert recording.follows_clock
     assert recording.following.get("/battery") is True
@@ -226,7 +226,7 @@ def test_what_runs_beside_a_sleeping_thread_is_told_from_it(watched: Watched) ->
 def test_a_slow_pace_is_slow_beside_what_the_machine_could_do(
     watched: Watched, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A busy machine makes the fast pace of a program that never rests slow: here it is no faster than the slow one."""
+    """On a busy machine, a program that never rests slows the fast pace down, here as far as the slow one."""
     monkeypatch.setattr("workbook.watching.simulated_time.SPEEDS", (SPEEDS[0], SPEEDS[0]))
     recording = watched(TIMER_AND_SLEEP)
     assert not recording.in_lockstep
@@ -239,7 +239,7 @@ ONE_PAIR = replace(PLAN, simulated_seconds=17.0)
 
 
 def ends_of_the_second_half(recording: Recording) -> list[float]:
-    """Where the stretches end that begin in the second half of the watch, simulated time in s."""
+    """Return the ends (s, simulated) of the stretches that begin in the second half of the watch."""
     return [round(stretch.end, 3) for stretch in recording.stretches if stretch.start > 8.4]
 
 
@@ -260,7 +260,7 @@ def test_the_slow_pace_lasts_as_long_as_a_topic_has_proved_nothing(watched: Watc
 
 
 def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched) -> None:
-    """Two messages of a period of 4 s in the 9 s that are judged prove nothing; the clock goes on until they do."""
+    """In the 9 judged seconds, two messages with a period of 4 s prove nothing, so the clock runs on until they do."""
     recording = watched(TWO_TIMERS.replace("create_timer(1.0,", "create_timer(4.0,"))
     assert recording.watched_s == 9.0
     assert len(recording.topic("/battery").arrivals) == 2
@@ -280,7 +280,7 @@ def test_robot_time_waits_for_a_program_that_is_slow_to_set_up(watched: Watched)
 def test_a_program_that_cannot_be_switched_is_watched_on_the_wall_clock(
     watched: Watched, options: str
 ) -> None:
-    """The second one has the services and refuses."""
+    """The second program offers the services but refuses the call."""
     text = OWN_CLOCK.format(options=options)
     if "enable_rosout" in options:
         text = text.replace("battery, status", f"{REFUSAL}battery, status", 1)
@@ -298,7 +298,7 @@ def test_a_program_that_subscribes_to_the_clock_by_itself_is_noticed(watched: Wa
 
 
 def test_a_callback_that_sleeps_longer_than_simulated_time_gives_it_proves_nothing(watched: Watched) -> None:
-    """Lockstep would wait for it, and find every message in time."""
+    """In lockstep, the clock would wait for the callback, and every message would seem to be on time."""
     timer = "        self.create_timer(0.5, self.tell_status)\n"
     busy = f"{timer}        self.create_timer(0.1, lambda: __import__('time').sleep(0.07))\n"
     recording = watched(TWO_TIMERS.replace(timer, busy))
