@@ -173,7 +173,7 @@ def test_an_exercise_is_found_by_each_of_its_names(tmp_path: Path, name: str) ->
 
 
 def test_an_unknown_exercise_gets_a_suggestion(tmp_path: Path) -> None:
-    with pytest.raises(UnknownExercise, match="holds no exercises"):
+    with pytest.raises(UnknownExercise, match="has no exercises"):
         find(tmp_path, "timers")
     (tmp_path / "05_timers.py").touch()
     with pytest.raises(UnknownExercise, match="Did you mean timers"):

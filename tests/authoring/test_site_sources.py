@@ -32,7 +32,7 @@ RUNS = {ABORT: 4}
 MOST_LINES = 22
 """The largest length of a minimal program."""
 PARTLY_WORDS = {
-    "AssertionError without a text, in the line that makes a QoSProfile": "AssertionError",
+    "AssertionError without a message, in the line that creates a QoSProfile": "AssertionError",
     ABORT: "terminate called without an active exception",
     "cv2.error: The function is not implemented": "The function is not implemented",
 }

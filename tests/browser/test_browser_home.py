@@ -307,7 +307,7 @@ def test_home_shows_the_way_and_goes_on(page: LabPage, lab: StudentLab, artifact
     expect(home.locator("[data-restore]")).to_have_count(0)
     next_cell = work_done(lab)
     expect(home.locator("[data-key=next]")).to_contain_text(
-        "Go on at"
+        "Continue at"
     )  # the page follows the progress by itself
     expect(home.locator("#wb-05_timers")).to_contain_text("8 of 10 points")
     check_home(page, home, artifacts)
@@ -351,7 +351,7 @@ def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
     """Check that everyone can use the home page: in both themes, in narrow and wide windows."""
     assert home.evaluate("one => Boolean(one.closest('main, [role=main]'))")
     robot = home.get_by_role("img", name=ROBOT)
-    expect(robot).to_have_attribute("aria-label", re.compile("you have done 0 % of the course"))
+    expect(robot).to_have_attribute("aria-label", re.compile("you've completed 0 % of the course"))
     page.page.set_viewport_size(USUAL)
     assert home.evaluate("one => one.scrollHeight / one.clientHeight") <= SCREENS
     for theme in page.themes():

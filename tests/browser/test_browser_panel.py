@@ -117,7 +117,7 @@ def check_reload(page: LabPage, panel: Locator) -> None:
     reload(page)
     expect(panel.locator("h2")).to_have_text("quiet")
     expect(panel.get_by_role("button", name="/words")).to_have_attribute("aria-pressed", "true")
-    expect(panel.locator("pre")).to_have_text("waiting for the next one …")
+    expect(panel.locator("pre")).to_have_text("waiting for the next message …")
     page.run(page.cell("subscriptions"))
     expect(panel.locator("pre")).to_contain_text("data: two\n---\ndata: three")
     expect(page.panel.get_by_role("slider", name="loudness")).to_be_visible()  # it works: its kernel lives

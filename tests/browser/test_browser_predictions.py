@@ -59,7 +59,7 @@ def test_a_prediction_is_chosen_by_one_key_and_revealed_after_the_run(page: LabP
     expect(buttons).to_have_count(3)
     expect(question.locator("li").first).to_be_hidden()  # the buttons replace the list
     expect(ask.locator(".cm-content")).to_be_hidden()
-    expect(ask.locator("[role=status]")).to_have_text("Choose a, b or c: click, or press the key.")
+    expect(ask.locator("[role=status]")).to_have_text("Choose a, b or c: click it, or press its key.")
 
     page.run(reveals)  # before any prediction, and without the hidden line that imports `reveal`
     waiting = reveals.locator(".jp-OutputArea-output").last
@@ -83,7 +83,7 @@ def test_a_prediction_is_chosen_by_one_key_and_revealed_after_the_run(page: LabP
     expect(buttons.nth(2)).to_contain_text("✓ outcome")
     expect(buttons.nth(1)).to_contain_text("your prediction")
     keyboard.press("c")
-    expect(ask.locator("[role=status]")).to_contain_text("it stays")
+    expect(ask.locator("[role=status]")).to_contain_text("change it anymore")
     expect(buttons.nth(1)).to_have_attribute("aria-pressed", "true")
     check_looks(page, ask, outcome, artifacts)
 

@@ -285,11 +285,11 @@ def test_a_click_on_a_prediction_shows_the_recorded_outcome(context: BrowserCont
     expect(printed).to_be_hidden()
     question = page.locator('.wb-predict[data-prediction="loop-and-timer"]')
     question.locator('button[data-letter="a"]').click()
-    expect(outcome).to_contain_text("You predicted a, and b happened.")
+    expect(outcome).to_contain_text("You predicted a, but b happened.")
     expect(outcome).to_contain_text("The outcome is b.")
     expect(printed).to_be_visible()
     page.reload()
-    expect(outcome).to_contain_text("You predicted a, and b happened.")
+    expect(outcome).to_contain_text("You predicted a, but b happened.")
 
 
 @pytest.mark.browser

@@ -33,7 +33,7 @@ def test_criteria_that_belong_to_no_exercise_are_refused(
     out = tmp_path / "out"
     command = ["grade", str(answers), "--exercise", STEM, "--out", str(out), "--criteria", str(own)]
     assert main(command) == 2
-    assert f"holds no {STEM}.py" in capsys.readouterr().err
+    assert f"has no {STEM}.py" in capsys.readouterr().err
     assert not out.exists()
 
 

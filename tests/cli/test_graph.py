@@ -22,12 +22,12 @@ def test_a_topic_that_nobody_publishes_is_told_with_what_is_near(
     graph._say_who_is_there(argparse.Namespace(topic=topic))(["/robot/joints", "/robot/status"])
     said = " ".join(capsys.readouterr().err.split())
     assert said == (
-        f"Nobody publishes /{topic.strip('/')}. {meant}Published now: /robot/joints, /robot/status. "
-        "Waiting for it; Ctrl-C ends."
+        f"No node publishes /{topic.strip('/')}. {meant}Topics with a publisher: /robot/joints, /robot/status. "
+        "Waiting for a publisher. Press Ctrl-C to stop."
     )
 
 
 def test_where_nothing_is_published_it_asks_for_a_node(capsys: pytest.CaptureFixture[str]) -> None:
     graph._say_who_is_there(argparse.Namespace(topic="/robot/status"))([])
     said = " ".join(capsys.readouterr().err.split())
-    assert "Nothing is published now. Is a node running?" in said
+    assert "No topic has a publisher. Is a node running?" in said

@@ -70,7 +70,9 @@ def test_help_may_be_a_word(line: str, typed: Type) -> None:
 def test_half_a_command_says_what_is_missing(name: str, typed: Type) -> None:
     said = typed(name)
     assert (said.code, said.out) == (2, "")
-    assert said.err.startswith(f"workbook {name}: say what, for example `workbook {name} ")
+    assert said.err.startswith(
+        f"workbook {name}: the command is missing; try, for example, `workbook {name} "
+    )
     for inner in build_parser().below[name].below:
         assert re.search(rf"^    {inner} ", said.err, re.MULTILINE)
 
@@ -88,7 +90,10 @@ def test_half_a_command_says_what_is_missing(name: str, typed: Type) -> None:
         ("completion bahs", "workbook completion: there is no SHELL bahs. Did you mean bash?"),
         ("topic echo x --count 0", "workbook topic echo: --count: 0 is not a whole number of 1 or more."),
         ("topic hz x --seconds soon", "workbook topic hz: --seconds: soon is not a number of seconds."),
-        ("graph --domain 400", "workbook graph: --domain: 400 is not a ROS domain: those are 0 to 232."),
+        (
+            "graph --domain 400",
+            "workbook graph: --domain: 400 is not a ROS domain. Domains are numbers from 0 to 232.",
+        ),
         ("check joint_position", "Did you mean joint_positions?"),
         ("hint joint_position", "Did you mean joint_positions?"),
     ],

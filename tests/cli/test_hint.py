@@ -38,7 +38,9 @@ def test_a_hint_may_be_named(course: Path, typed: Type, level: str) -> None:
 def test_a_hint_that_there_is_not(course: Path, typed: Type) -> None:
     said = typed("hint", "09", "4")
     assert said.code == 2
-    assert "there is no hint 4. There are 1 (nudge), 2 (pointer) and 3 (sketch)" in " ".join(said.err.split())
+    assert "there is no hint 4. The hints are 1 (nudge), 2 (pointer), and 3 (sketch)" in " ".join(
+        said.err.split()
+    )
 
 
 @pytest.mark.parametrize("place", [".", "work", "work/notebooks"])

@@ -126,7 +126,7 @@ def test_an_answer_that_was_never_checked_or_cannot_be_judged_is_reported(
     course: Path, typed: Type, text: str
 ) -> None:
     (course / "work" / "answers" / f"{STEM}.py").write_text(text)
-    assert "It holds no recording." in typed("report", "09").out
+    assert "It contains no recording." in typed("report", "09").out
     said = typed("replay", f"{STEM}.report.json")
     assert said.code == 0
     assert "There is no recording" in said.out
@@ -214,7 +214,7 @@ def test_a_damaged_file_is_refused_with_a_sentence(course: Path, typed: Type, ra
     said = typed("replay", "x.json")
     assert said.code == 2
     told = " ".join(said.err.split())
-    assert "is damaged, or is not a report" in told or "is larger than" in told
+    assert "is damaged, or wasn't written by" in told or "is larger than" in told
 
 
 def test_a_pipe_is_not_read(course: Path, typed: Type) -> None:

@@ -192,7 +192,7 @@ def test_without_a_terminal_verdicts_follow_one_another(tmp_path: Path) -> None:
     )
     assert process.stdout is not None
     said = ""
-    while "Ctrl-C ends." not in said:
+    while "Press Ctrl-C to stop." not in said:
         said += process.stdout.readline()
     process.send_signal(signal.SIGINT)
     said += process.stdout.read()

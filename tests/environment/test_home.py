@@ -70,12 +70,12 @@ def test_what_is_missing_for_read_is_linked_and_no_share_is_shown(desk: Desk) ->
     text = page(desk)
     row = text.split(f'id="wb-{STEM}"')[1].split("</li>")[0]
     assert f"{len(cells) - 3} of {len(cells)} cells" in row
-    assert "For “read”, 1 more:" in " ".join(row.split())
+    assert "1 more to count as read:" in " ".join(row.split())
     assert f'data-cell="{unread[0]}"' in row
     assert not re.search(r"\d %", row)
     keep(desk, STEM, LessonProgress(read=cells[:9], touched=1.0))
     row = page(desk).split(f'id="wb-{STEM}"')[1].split("</li>")[0]
-    assert "For “read”" not in row and f'data-cell="{cells[9]}"' in row
+    assert "to count as read" not in row and f'data-cell="{cells[9]}"' in row
 
 
 def test_each_lesson_promises_something_in_a_line(desk: Desk) -> None:

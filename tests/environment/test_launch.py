@@ -140,8 +140,8 @@ def test_a_folder_that_jupyter_cannot_write_is_said_in_one_line(
     monkeypatch.setenv(variable, str(file))
     assert main(["lab", "--no-browser"]) == 1
     said = capsys.readouterr().err
-    assert f"JupyterLab keeps files in {file}" in said
-    assert "Set HOME to a folder of yours" in said
+    assert f"JupyterLab stores files in {file}" in said
+    assert "Set HOME to a folder that you own" in said
     assert len(said.strip().splitlines()) == 1
 
 

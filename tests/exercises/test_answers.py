@@ -122,7 +122,7 @@ def test_line_numbers_survive_a_coding_line(program: Path) -> None:
         (b"# coding: klingon\nprint(1)\n", "not readable as text"),
         (b"# coding: rot13\nprint(1)\n", "not readable as text"),
         (b"# coding: punycode\nprint('a-\xff')\n", "not readable as text"),
-        (b"%%answer 05_timers\nprint(1)\n", "answers 05_timers, and not 09_joint_positions"),
+        (b"%%answer 05_timers\nprint(1)\n", "answers 05_timers, not 09_joint_positions"),
     ],
 )
 def test_what_is_no_program_is_refused_with_a_reason(raw: bytes, words: str, program: Path) -> None:
@@ -400,7 +400,7 @@ def test_the_answer_in_an_exported_notebook_is_read(program: Path) -> None:
         ([code("x = 1"), code("%%time\n%%answer 09\nx = 1")], "cell 2 has `%%answer 09` in line 2"),
         ([{"cell_type": "markdown", "source": "%%answer 09\nx"}], "it is a markdown cell"),
         ([{"cell_type": "raw", "source": "%%answer 09\nx"}], "it is a raw cell"),
-        ([code("%%answer 09_joint_postions\nx = 1")], "the notebook answers 09_joint_postions, and not"),
+        ([code("%%answer 09_joint_postions\nx = 1")], "the notebook answers 09_joint_postions, not"),
     ],
 )
 def test_a_cell_that_is_nearly_an_answer_is_told(cells: list[Any], words: str, notebook: Path) -> None:
@@ -423,7 +423,7 @@ def test_an_empty_last_answer_tells_of_the_one_above(notebook: Path) -> None:
         (b"{}", "no list of cells"),
         (b'{"cells": [null]}', "cell 1 is damaged"),
         (b'{"cells": [', "cut off"),
-        (b"import rclpy\n", "something else"),
+        (b"import rclpy\n", "something other"),
         (b'{"worksheets": []}', "nbformat 3"),
         (b'{"cells": [{"source": "gr\xfc\xdf"}]}', "not UTF-8"),
         (b'{"cells": [\n<<<<<<< HEAD\n', "conflict in line 2"),
@@ -442,7 +442,7 @@ def test_a_notebook_that_is_none_is_refused_in_a_sentence(raw: bytes, words: str
         (["%%answer 09\nrobot = 1", "%%answer 09\nrobot = 2"], "Cells 1 and 2 begin with"),
         (
             ["%%answer 09\nimport rclpy", "class Body:\n    pass"],
-            "Cell 2, right after the answer, holds code",
+            "Cell 2, right after the answer, contains code",
         ),
         (["%%answer 09\nimport rclpy", "", "    def tick(self):\n        pass"], "Cell 3, right after"),
         (["%%answer 09\nimport rclpy", "%check 09", "import math"], ""),

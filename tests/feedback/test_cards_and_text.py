@@ -164,8 +164,8 @@ def test_what_failed_stands_first_and_tinted_and_then_what_waits_for_it(judgemen
 @pytest.mark.parametrize("has_rates", [True, False])
 def test_the_key_of_a_timeline_names_what_is_in_the_picture(has_rates: bool) -> None:
     html = as_html(judged("period_for_frequency"), Extras(timeline=b"png", has_rates=has_rates))
-    assert "messages that came" in html
-    assert ("when one was due" in html) is has_rates
+    assert "received messages" in html
+    assert ("when a message was due" in html) is has_rates
 
 
 @every_judgement

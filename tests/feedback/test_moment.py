@@ -60,7 +60,7 @@ def test_the_robot_waves_where_there_is_no_pose(recording: Recording, value: obj
     [
         (0.0, 10.0, "You gained 10 points."),
         (8.0, 10.0, "2 more points than before."),
-        (10.0, 10.0, "these points already"),
+        (10.0, 10.0, "already had these points"),
     ],
 )
 def test_the_points_gained(before: float, now: float, said: str) -> None:

@@ -254,7 +254,7 @@ def test_a_course_of_nbgrader_is_graded_and_goes_back_into_its_gradebook(
     assert rows["ada"]["timestamp"] == rows["bob"]["timestamp"] == "2025-01-31 23:59:00 UTC"
     assert "eve: ungradable: there is no folder ps2" in capsys.readouterr().out
     assert main([*command[:-3], "../ps2", "--out", str(out), "--isolation", "limits"]) == 2
-    assert "it is the name of a folder" in capsys.readouterr().err
+    assert "give the name of a folder" in capsys.readouterr().err
 
 
 def test_lateness_is_taken_off_in_the_gradebook_and_who_has_no_time_is_named(
@@ -515,7 +515,7 @@ def test_check_tries_once_more_what_crashes_at_ctrl_c(tmp_path: Path) -> None:
     assert was_here.exists(), said + errors
     assert code == 0, said + errors
     assert "Full marks: 10 of 10 points." in said
-    assert "It is tried once more" in errors
+    assert "Your program is judged once more" in errors
 
 
 @pytest.mark.parametrize(

@@ -193,7 +193,7 @@ def test_ctrl_c_ends_in_order_and_a_second_run_goes_on(farm: LittleFarm, tmp_pat
     grader.send_signal(signal.SIGINT)
     code, said = finish(grader)
     assert code == 130, said
-    assert "Stopping after the answers under way" in said
+    assert "Stopping once the current answers are judged" in said
     first = results(out)
     assert [one["student"] for one in first] == ["a"]
 

@@ -148,7 +148,7 @@ def test_own_criteria_are_packed_and_missing_ones_are_said(
     assert "there is no such folder" in capsys.readouterr().err
     own.mkdir()
     assert main(command) == 2
-    assert f"holds no {STEM}.py" in capsys.readouterr().err
+    assert f"has no {STEM}.py" in capsys.readouterr().err
     assert not target.exists()
     (own / f"{STEM}.py").write_bytes((ROOT / "exercises" / "criteria" / f"{STEM}.py").read_bytes())
     assert main(command) == 0

@@ -81,9 +81,9 @@ def test_listing_names_everything_and_changes_nothing(out: Path, capsys: pytest.
     ):
         assert part in said
     assert said.count("recordings/") == 2
-    assert said.count("another student's result needs it as well") == 1
+    assert said.count("another student's result needs it, too") == 1
     assert f"pages/{STEM}-zoe-" in said and f"gradescope/{STEM}-zoe-" in said
-    assert "The hand-ins are not in the gradebook, and stay: Zoe.py." in said
+    assert "The hand-ins aren't in the gradebook, so they stay: Zoe.py." in said
     assert files(out) == before
 
 

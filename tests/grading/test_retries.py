@@ -84,8 +84,8 @@ EVERY = (FULL, LOW, END, LOW_END, BUSY, LOW_BUSY, LOST)
         ((BUSY, LOW), 1, "disturbed the rest"),
         ((BUSY, LOW_BUSY, LOW), 2, "disturbed the rest"),
         ((BUSY, LOST, LOW), 2, "disturbed the rest"),
-        ((END, FULL), 1, "the best: only the ends"),
-        ((END, END, FULL), 2, "the best: only the ends"),
+        ((END, FULL), 1, "the best: the tries differ only"),
+        ((END, END, FULL), 2, "the best: the tries differ only"),
         ((END, END, END), 2, "They agree"),
         ((END, LOST, END), 2, "disturbed the rest"),
         ((LOW_END, FULL), 0, "the lowest"),
@@ -94,7 +94,7 @@ EVERY = (FULL, LOW, END, LOW_END, BUSY, LOW_BUSY, LOST)
         ((END, LOW_END, FULL), 1, "the lowest"),
         ((LOW_END, END, LOW), 2, "the lowest"),
         ((BUSY, LOW_END, FULL), 1, "the lowest"),
-        ((BUSY, END, FULL), 2, "the best: only the ends"),
+        ((BUSY, END, FULL), 2, "the best: the tries differ only"),
         ((LOW_BUSY, LOW_BUSY, LOW_BUSY), 2, "all gave the same"),
         ((BUSY, LOW_BUSY, BUSY), None, "None of them counts"),
         ((ZERO_BUSY, BUSY, BUSY), None, "None of them counts"),
@@ -279,7 +279,7 @@ def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[P
     assert "joint_positions_ada: Tried twice: 8 points, then 10 points. The second one counts:" in told
     assert "joint_positions_mia: Tried 3 times: 8 points, then not judged, then not judged. None of" in told
     assert (
-        "joint_positions_zoe: Tried twice: 8 points, then 10 points. The first one counts, the lowest:"
+        "joint_positions_zoe: Tried twice: 8 points, then 10 points. The first one counts, because it is the lowest:"
         in told
     )
     assert "joint_positions_bob: Tried" not in told
@@ -290,7 +290,7 @@ def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[P
     }  # fmt: skip
     assert DOUBT in rows["bob"]["remark"]
     assert DOUBT in rows["mia"]["remark"]
-    assert "The first one counts, the lowest" in rows["zoe"]["remark"]
+    assert "The first one counts, because it is the lowest" in rows["zoe"]["remark"]
     assert rows["eve"]["remark"] == ""
     page = (out / "pages" / "class.html").read_text()
     section = page.split("<h2>Tried again</h2>")[1].split("</table>")[0]
@@ -338,7 +338,7 @@ def test_a_card_and_a_terminal_tell_of_the_doubt() -> None:
 
 def test_a_card_and_a_terminal_tell_that_it_is_being_tried_again() -> None:
     for text in (as_html(judgement_as_provisional(DOUBTFUL)), as_text(judgement_as_provisional(DOUBTFUL))):
-        assert f"Inconclusive: {DOUBT}. It is tried once more" in " ".join(text.split())
+        assert f"Inconclusive: {DOUBT}. Your program is judged once more" in " ".join(text.split())
         assert "another try decides" not in text
 
 

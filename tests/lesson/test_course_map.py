@@ -105,7 +105,7 @@ def test_the_lesson_of_the_last_time_comes_first(folder: Path) -> None:
     }
     course = course_map(ROOT, done)
     assert course.next_lesson is not None and course.next_lesson.stem == STEM
-    assert course.next_step.startswith("Go on with: 05 · Timers, at “")
+    assert course.next_step.startswith("Continue with: 05 · Timers, at “")
     assert not course_map(ROOT, {}).has_begun
 
 

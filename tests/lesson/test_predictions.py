@@ -107,7 +107,7 @@ def test_own_choice_outcome_and_reasons_of_all_options_are_shown(screen: Screen)
 def test_a_right_prediction_is_said_to_be_one(screen: Screen) -> None:
     predict("the-queue", "b")
     reveal("the-queue", arrived=5)
-    assert repr(screen.last).startswith("You predicted b. The outcome is b. Well predicted.")
+    assert repr(screen.last).startswith("You predicted b. The outcome is b. Well done.")
 
 
 def test_the_run_decides_and_says_when_it_came_out_otherwise(screen: Screen) -> None:
@@ -115,12 +115,12 @@ def test_the_run_decides_and_says_when_it_came_out_otherwise(screen: Screen) -> 
     reveal("the-queue", arrived=4)
     said = repr(screen.last).splitlines()
     assert said[0] == (
-        "You predicted c. This time the run turned out differently than usual: c. As a rule it is b. Well predicted."
+        "You predicted c. This run had an unusual outcome: c. The usual outcome is b. Well done."
     )
-    assert "  ✗ b  Each Float32 arrives (what happens as a rule)" in said
+    assert "  ✗ b  Each Float32 arrives (what usually happens)" in said
     assert "  ✓ c  Four arrive (your prediction) (what happened)" in said
     reveal("the-queue", arrived=3)
-    assert "This run fits none of the options (arrived = 3). As a rule it is b." in repr(screen.last)
+    assert "This run fits none of the options (arrived = 3). The usual outcome is b." in repr(screen.last)
 
 
 def test_without_conditions_it_is_what_happens_as_a_rule(screen: Screen) -> None:
@@ -153,7 +153,7 @@ def test_an_unknown_choice_is_refused_and_the_one_before_stays(
 ) -> None:
     predict("the-queue", "a")
     predict("the-queue", choice)
-    assert capsys.readouterr().out.endswith("is none of the options. Choose a, b or c.\n")
+    assert capsys.readouterr().out.endswith("isn't one of the options. Choose a, b or c.\n")
     assert load_progress(STEM).predictions == {"the-queue": "a"}
 
 
@@ -164,7 +164,7 @@ def test_a_choice_may_be_changed_until_the_run_and_is_locked_after_it(
     predict("the-queue", "c")
     reveal("the-queue", arrived=5)
     predict("the-queue", "b")
-    locked = "Your prediction was c. You have seen the outcome, so it stays.\n"
+    locked = "Your prediction was c. You've seen the outcome, so you can't change it anymore.\n"
     assert capsys.readouterr().out.endswith(locked)
     start_kernel(monkeypatch)
     predict("the-queue", "b")
@@ -196,7 +196,7 @@ def test_a_button_for_each_option_chooses_it_and_says_so(screen: Screen) -> None
     reveal("the-queue", arrived=5)
     buttons[1].click()
     assert [one.description[0] for one in buttons] == ["○", "○", "●"]
-    assert "it stays" in status.value
+    assert "change it anymore" in status.value
 
 
 def test_without_widgets_the_question_is_text(

@@ -90,7 +90,7 @@ def test_from_the_starter_to_full_marks(kernel: Kernel) -> None:
     assert kernel.good("%check").displays[0] == LIVES_ON, "the first check still lives on in the background"
     assert answer(kernel, SOURCE.solution_code) == "answers/09_joint_positions.py is unchanged.\n"
     said = answer(kernel, SOURCE.starter_code)
-    assert said.startswith("Kept your answer in answers/09_joint_positions.py")
+    assert said.startswith("Your answer stays in answers/09_joint_positions.py")
     assert (kernel.folder / "answers" / f"{STEM}.py").read_text() == SOURCE.solution_code
     assert SOURCE.solution_code.strip() in kernel.good("%solution").displays[0]
 
@@ -98,7 +98,7 @@ def test_from_the_starter_to_full_marks(kernel: Kernel) -> None:
 def test_a_reset_keeps_the_work(kernel: Kernel) -> None:
     answer(kernel, "robot = 1")
     said = kernel.good("%reset").text
-    assert "answers/09_joint_positions.py holds the starter again." in said
+    assert "answers/09_joint_positions.py contains the starter again." in said
     assert "Your answer is kept as answers/.previous/" in said
     assert (kernel.folder / "answers" / f"{STEM}.py").read_text() == SOURCE.starter_code
     [previous] = (kernel.folder / "answers" / ".previous").iterdir()

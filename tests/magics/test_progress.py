@@ -89,7 +89,7 @@ def test_the_first_thing_not_done_is_named_and_all_done_is_praised(folder: Path)
         if path.stem.endswith("_deeper"):
             continue  # optional
         save_progress(path.stem, LessonProgress(tries=1, solved=True, best=10.0, read=cells_of(path.stem)))
-    assert "all there is" in progress_table(ROOT).next_step
+    assert "the whole course" in progress_table(ROOT).next_step
 
 
 def test_the_page_is_escaped_and_the_text_is_aligned(folder: Path) -> None:
@@ -141,6 +141,8 @@ def test_a_file_to_hand_in_that_is_not_the_best_version_is_named(folder: Path) -
     (folder / f"{STEM}.py").write_text("robot = 'best'  \n")
     assert "best version" not in str(progress_table(ROOT))
     (folder / f"{STEM}.py").write_text("robot = 'worse'\n")
-    warning = f"{STEM}: the file to hand in is not your best version. To put that back, run %restore 09"
+    warning = (
+        f"{STEM}: the file to hand in is not your best version. To restore your best one, run %restore 09"
+    )
     assert warning in str(progress_table(ROOT))
     assert warning in progress_table(ROOT)._repr_html_()

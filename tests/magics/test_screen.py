@@ -38,7 +38,7 @@ def answer_file(kernel: Kernel) -> Path:
 def test_a_check_and_a_start_take_the_cell_as_it_is_now(kernel: Kernel) -> None:
     kernel.good(f"{LINE}robot = 1\n")
     shown = kernel.good("%check", on_screen=[LINE + BROKEN])
-    assert shown.text == f"Took the answer cell as it is now, and saved it as answers/{STEM}.py.\n"
+    assert shown.text == f"Saved the current answer cell as answers/{STEM}.py.\n"
     assert answer_file(kernel).read_text() == BROKEN
     assert "SyntaxError" in shown.html[0] or "invalid syntax" in shown.html[0]
     assert "version you ran" not in shown.html[0]
@@ -52,7 +52,7 @@ def test_a_starter_on_the_screen_is_not_judged_in_place_of_work(kernel: Kernel) 
     for magic in ("%check", "%start"):
         shown = kernel.good(f"{magic} {STEM}", on_screen=[LINE + STARTER])
         assert shown.text.startswith(
-            f"Kept your answer in answers/{STEM}.py: the answer cell holds the starter"
+            f"Your answer stays in answers/{STEM}.py: the answer cell contains the starter"
         )
         assert shown.displays == []
     assert answer_file(kernel).read_text() == BROKEN
@@ -62,7 +62,7 @@ def test_an_emptied_cell_takes_nothing_away(kernel: Kernel) -> None:
     kernel.good(f"{LINE}{BROKEN}")
     for magic in ("%check", "%start"):
         shown = kernel.good(f"{magic} {STEM}", on_screen=[LINE])
-        assert shown.text.startswith("The answer cell is empty.")
+        assert shown.text.startswith("The answer cell is empty,")
     assert answer_file(kernel).read_text() == BROKEN
 
 
@@ -97,11 +97,13 @@ def test_the_best_version_and_the_starter_come_back_onto_the_screen(kernel: Kern
     shown = kernel.good(
         "%restore 09", on_screen=["%%answer 09 --check\n" + BROKEN, "%%answer 05_timers\nx = 1"]
     )
-    assert shown.text.startswith(f"answers/{STEM}.py is your best version again.\nThe one before is kept as ")
+    assert shown.text.startswith(
+        f"answers/{STEM}.py is your best version again.\nThe previous version is kept as "
+    )
     assert answer_file(kernel).read_text() == "robot = 'best'\n"
     assert shown.payloads == [{"source": "workbook_answer", "exercises": ["09"], "text": "robot = 'best'"}]
     again = kernel.good("%restore 09", on_screen=["%%answer 09 --check\nrobot = 'best'"])
-    assert again.text == f"answers/{STEM}.py is your best version already.\n"
+    assert again.text == f"answers/{STEM}.py already is your best version.\n"
     assert again.payloads == []
     [elsewhere] = kernel.good("%reset").payloads
     assert elsewhere["source"] == "set_next_input", "another front end: a new cell"
@@ -172,7 +174,7 @@ def test_a_notebook_saved_later_with_another_answer_differs(saved: Path) -> None
     version = version_that_ran(STEM, {})
     assert version.differs
     assert version.line("Judging").startswith("Judging the version you ran on 1970-01-01 at ")
-    assert "The saved notebook holds another one" in version.line("Judging")
+    assert "The saved notebook contains a different version" in version.line("Judging")
     write(saved, "robot = 1")
     assert not version_that_ran(STEM, {}).differs
     write(saved, "robot = 2", at=500)

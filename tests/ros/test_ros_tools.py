@@ -210,8 +210,10 @@ def test_the_terminal_sees_nodes_and_topics(robot, domain):
     missing = workbook("topic", "echo", "/robot/battery", "--timeout=0.5", on)
     assert missing.returncode == 1
     told = " ".join(missing.stderr.split())
-    assert "Nobody publishes /robot/battery. Published now: /robot/joints, /robot/status." in told
-    assert told.endswith("Waiting for it; Ctrl-C ends. Still no node publishes /robot/battery.")
+    assert "No node publishes /robot/battery. Topics with a publisher: /robot/joints, /robot/status." in told
+    assert told.endswith(
+        "Waiting for a publisher. Press Ctrl-C to stop. Still no node publishes /robot/battery."
+    )
 
 
 PLAIN = """
@@ -272,7 +274,7 @@ def test_a_misspelled_topic_is_told_at_once_and_awaited(robot, domain, start_scr
     line, ours = command("topic", "echo", "/robot/statu", "--count=1", f"--domain={domain}")
     process = subprocess.Popen(line, env=ours, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     told = process.stderr.readline()
-    assert told.startswith("Nobody publishes /robot/statu. Did you mean /robot/status?")
+    assert told.startswith("No node publishes /robot/statu. Did you mean /robot/status?")
     start_script(ROBOT.replace("'status', 10", "'statu', 10"))
     assert process.stdout.read() == "data: operational\n---\n"
     assert process.wait(20) == 0

@@ -23,8 +23,9 @@ def list_page(tree: Tree) -> str:
     lines = [
         "# The lessons",
         "",
-        "Take them in this order. *You* is the time that a lesson takes a reader, *cells* what its code takes when all",
-        f"of it runs. Words that are new: the [glossary]({GLOSSARY}). Something fails: the [error museum]({MUSEUM}).",
+        "Take the lessons in this order. *You* is the time that a reader needs for a lesson, and *cells* is the time",
+        f"that its code needs to run. New words are in the [glossary]({GLOSSARY}). If something fails, see the",
+        f"[error museum]({MUSEUM}).",
         "",
         "| lesson | you | cells | exercise |",
         "|---|---:|---:|---|",

@@ -28,8 +28,8 @@ def museum_page(tree: Tree, museum: Museum) -> str:
     lines = [
         "# The error museum",
         "",
-        "Everything here really happens: each error and each silence is provoked by a cell of the lesson that it hangs",
-        "in. Search this page for a piece of your message (Ctrl-F), read the cause, try the fix.",
+        "Everything on this page really happens: a cell of the named lesson causes each error and each silence. Search",
+        "the page (Ctrl-F) for a part of your message, read the cause, and try the fix.",
         "",
     ]
     for stem in dict.fromkeys(exhibit.lesson for exhibit in museum.exhibits):
@@ -54,7 +54,7 @@ def glossary_page(tree: Tree, museum: Museum) -> str:
     lines = [
         "# Glossary",
         "",
-        "ROS 2 terms as the lessons use them, and where each one comes up first.",
+        "ROS 2 terms as this course uses them. Each one links to the lesson that introduces it.",
         "",
     ]
     for term in sorted(museum.terms, key=lambda one: one.name.casefold()):

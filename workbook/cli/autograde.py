@@ -21,8 +21,8 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add the subcommand with an action for each grading system."""
     parser = subparsers.add_parser(
         "autograde",
-        help="judge one submission at Gradescope or GitHub (what `workbook package` makes calls this)",
-        description="Judge one submission where another system has put it.",
+        help="judge one submission on Gradescope or GitHub (the autograders from `workbook package` call this)",
+        description="Judge one submission, in the folder where another system has put it.",
     )
     places = parser.add_subparsers(title="places", metavar="PLACE", required=True)
     isolation = argparse.ArgumentParser(add_help=False)
@@ -30,7 +30,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--isolation",
         choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
-        help="auto: the best that works here; the result says which that was",
+        help="auto: the strongest isolation that works here; the result names it",
     )
     scope = places.add_parser(
         "gradescope", parents=[isolation], help="write results.json. Exit code 0: judged"
@@ -42,8 +42,8 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     github = places.add_parser(
         "github",
         parents=[isolation],
-        help="write a summary. Exit code 0: every answer is right, 1: not yet or nothing handed in, "
-        "2: an error in the judge",
+        help="write a summary. Exit code 0: every answer is correct, 1: not yet, or nothing was handed in, 2: an "
+        "error in the judge",
     )
     github.add_argument("exercises", metavar="EXERCISE", nargs="+")
     github.add_argument("--answers", metavar="FOLDER", required=True, type=Path)

@@ -23,8 +23,8 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = subparsers.add_parser(
         "check",
         help="judge your answer to an exercise",
-        description="Run an answer, watch what it does on the topics, and say what passes and what does not yet. "
-        "Exit code 0: full marks, 1: not yet, 2: could not be judged.",
+        description="Run an answer, watch its effects on the topics, and report which criteria pass. Exit code 0: "
+        "full marks, 1: not yet, 2: could not be judged.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     parser.add_argument(
@@ -46,7 +46,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--seed",
         metavar="N",
         type=int,
-        help="draw what the judge sends from this number (default: another one each time)",
+        help="seed of the random values that the judge sends (default: a new one each time)",
     )
     parser.add_argument(
         "--review", action="store_true", help="also print a prompt for a colleague or an AI assistant"
@@ -93,9 +93,9 @@ def _file(options: argparse.Namespace, source: "ExerciseSource") -> Path:
     if not file.is_file():
         if not options.watch:
             raise Ungradable(
-                f"there is no {as_typed(file)} yet. Run the answer cell of the exercise's notebook, or let "
-                f"`workbook check {source.stem[:2]} --watch` write the file with the starter, or name your file: "
-                f"`workbook check {source.stem[:2]} FILE`"
+                f"there is no {as_typed(file)} yet. Run the answer cell in the exercise's notebook, let `workbook "
+                f"check {source.stem[:2]} --watch` create the file from the starter, or name your file: `workbook "
+                f"check {source.stem[:2]} FILE`"
             )
         save_answer(source.stem, source.starter_code, source.starter_code)
     return file
@@ -182,6 +182,6 @@ def _report(judgement: "Judgement") -> None:
     if judgement.inconclusive_reason:
         terminal.say(wording.provisional_line(judgement), sys.stderr)
     elif judgement.provisional:
-        print("Judging it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
+        print("Judging it on the wall clock, too. This takes a few seconds ...", file=sys.stderr)
     else:
-        print("Judged once; watching it in real time as well ...", file=sys.stderr)
+        print("Judged once. Now watching it in real time, too ...", file=sys.stderr)

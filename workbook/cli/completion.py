@@ -24,12 +24,12 @@ def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "completion",
-        help="let Tab complete commands, exercises and topics in your shell",
-        description="Print a script with which Tab completes commands, options, exercises and topics. "
-        "Try it with `source <(workbook completion bash)`. To keep it, write it to "
-        f"{PLACES['bash']} (zsh: {PLACES['zsh']}, in a folder of your fpath; fish: {PLACES['fish']}).",
+        help="let Tab complete commands, exercises, and topics in your shell",
+        description="Print a script that lets Tab complete commands, options, exercises, and topics. Try it with "
+        f"`source <(workbook completion bash)`. To keep it, write it to {PLACES['bash']} (zsh: {PLACES['zsh']}, in a "
+        f"folder of your fpath; fish: {PLACES['fish']}).",
     )
-    parser.add_argument("shell", metavar="SHELL", choices=tuple(PLACES), help="bash, zsh or fish")
+    parser.add_argument("shell", metavar="SHELL", choices=tuple(PLACES), help="bash, zsh, or fish")
     parser.set_defaults(run=run)
 
 

@@ -20,15 +20,14 @@ def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "doctor",
-        help="is this machine ready? what to do if not",
-        description="Check Python, packages, ROS, folders and Jupyter, and let two processes exchange messages. "
-        "Exit code 0: ready, 1: something must be fixed.",
+        help="check whether this machine is ready, and say how to fix problems",
+        description="Check Python, packages, ROS, folders, and Jupyter, and let two processes exchange messages. Exit "
+        "code 0: ready, 1: something must be fixed.",
     )
     parser.add_argument(
         "--report",
         action="store_true",
-        help="print a report for an issue: versions and findings, without home folders and the names of the user and "
-        "the machine",
+        help="print a report for an issue: versions and findings, without home folders, user name, and machine name",
     )
     parser.set_defaults(run=run)
 
@@ -83,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
         to_fix += finding.status == "fix"
         print(line(finding, sys.stdout), flush=True)
     if to_fix:
-        print(f"\n{to_fix} to fix. Begin with the first.")
+        print(f"\n{to_fix} to fix. Start with the first.")
         return 1
     print(f"\nReady. `{'rclpy-workbook lab' if is_from_wheel() else 'make lab'}` opens the lessons.")
     return 0

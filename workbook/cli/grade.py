@@ -35,9 +35,9 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = subparsers.add_parser(
         "grade",
         help="judge a folder of answers",
-        description="Judge every answer below PATH and write results.jsonl (one line per attempt) and grades.csv "
-        "to DIR. A run that was stopped or killed continues where it was; unchanged answers are not "
-        "run again.",
+        description="Judge every answer below PATH and write results.jsonl (one line per attempt) and grades.csv to "
+        "DIR. If a run was stopped or killed, the next one continues where it left off. Unchanged answers aren't run "
+        "again.",
     )
     add_options(parser)
     parser.set_defaults(run=run)
@@ -58,7 +58,7 @@ def _exercise_name(options: argparse.Namespace) -> str:
         raise Ungradable(
             f"the files answer several exercises: {', '.join(found)}. Choose one with --exercise"
         )
-    raise Ungradable("the file names do not tell which exercise this is. Name it with --exercise")
+    raise Ungradable("the file names don't show which exercise this is. Name it with --exercise")
 
 
 def _isolation(wanted: str) -> "Isolation":
@@ -78,7 +78,7 @@ def _isolation(wanted: str) -> "Isolation":
         best = best_below_sandbox()
         raise NoSandbox(
             f"programs cannot be sandboxed on this machine: {problem}. The best that works here is {best}: "
-            f"{covers(best)}. {leaves_open(best)} If that will do for these answers, say so with --isolation {best}"
+            f"{covers(best)}. {leaves_open(best)} If that is enough for these answers, add --isolation {best}"
         )
     raise NoSandbox(f"--isolation {isolation} does not work on this machine: {problem}")
 
@@ -104,7 +104,7 @@ def run(options: argparse.Namespace) -> int:
         lines = lines_of(options)
         exercise = load_exercise(_exercise_name(options))
         if options.criteria is not None and own_criteria(exercise.stem) is None:
-            raise BadOption(f"--criteria {options.criteria}: the folder holds no {exercise.stem}.py")
+            raise BadOption(f"--criteria {options.criteria}: the folder has no {exercise.stem}.py")
         if options.similar:
             return list_similar(options, exercise)
         if options.regrade:
@@ -140,16 +140,18 @@ def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
     ):
         if getattr(options, first) and getattr(options, second):
             other = "a path" if second == "paths" else f"--{second.replace('_', '-')}"
-            raise BadOption(f"{other} has no effect with --{first}: leave one of them out")
+            raise BadOption(f"{other} has no effect with --{first}: leave one of the two out")
     if options.column is not None and not {"canvas", "moodle"} & set(formats):
         raise BadOption("--column needs --format canvas or --format moodle")
     if options.regrade and not options.exercise:
-        raise BadOption("--regrade needs --exercise: it looks at results, not at files")
+        raise BadOption("--regrade needs --exercise, because it reads results, not files")
     if not options.regrade and not options.paths:
         if options.override is None:
-            raise BadOption("name a folder or files with answers")
+            raise BadOption("name a folder with answers, or files")
         if not options.exercise:
-            raise BadOption("--override without a folder needs --exercise: it looks at results, not at files")
+            raise BadOption(
+                "--override without a folder needs --exercise, because it reads results, not files"
+            )
 
 
 def _judges(
@@ -259,7 +261,7 @@ def _regrade(
     from workbook.grading.roster import BadOption
 
     if not (options.out / RESULTS).is_file():
-        raise BadOption(f"{options.out} holds no {RESULTS}: grade first")
+        raise BadOption(f"{options.out} has no {RESULTS}: grade first")
     code = conclude_regrading(regrade(options.out, exercise), exercise.stem)
     results = last_results(options.out / RESULTS, say_broken)
     code = take(options.out, lines, results) or code

@@ -73,7 +73,7 @@ def only_override(
     from workbook.grading.roster import BadOption
 
     if not (options.out / RESULTS).is_file():
-        raise BadOption(f"{options.out} holds no {RESULTS}: grade first")
+        raise BadOption(f"{options.out} has no {RESULTS}: grade first")
     results = last_results(options.out / RESULTS, say_broken)
     if take(options.out, lines, results):
         return 2

@@ -34,7 +34,7 @@ def _add_answers(parser: argparse.ArgumentParser) -> None:
         type=Path,
         help="answers: s1042.py, s1042/any/where.py, .ipynb, or submitted/STUDENT/…",
     )
-    parser.add_argument("--exercise", metavar="ID", help="the exercise (default: what the file names tell)")
+    parser.add_argument("--exercise", metavar="ID", help="the exercise (default: taken from the file names)")
     parser.add_argument("--out", metavar="DIR", required=True, type=Path, help="where the results go")
 
 
@@ -44,8 +44,8 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         type=int,
         help=f"answers judged in parallel (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
-        f"{SLOTS_PER_CORE['wall']} per core on the wall clock, and more while processors are idle). Answers that "
-        "are only watched in real time do not count. One with uid and landlock",
+        f"{SLOTS_PER_CORE['wall']} per core on the wall clock, and more while processors are idle). Answers that are "
+        "only watched in real time don't count. With uid and landlock, the default is 1",
     )
     parser.add_argument(
         "--farm",
@@ -64,7 +64,7 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         "--seed",
         metavar="N",
         type=int,
-        help="draw what the judge sends to each answer from this number (default: another one each time)",
+        help="seed of the random values that the judge sends to each answer (default: a new one each time)",
     )
 
 
@@ -72,8 +72,8 @@ def _add_retries(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--retry-stopped",
         action="store_true",
-        help="judge answers again that stopped the judge twice (ungradable, stopped_judge). Without this they are "
-        "not run again as long as they stay the same; other results are kept in any case",
+        help="rejudge answers that stopped the judge twice (ungradable, stopped_judge). Without this option, they "
+        "aren't run again until they change. Other results are always kept",
     )
 
 
@@ -91,7 +91,7 @@ def _add_gradebook(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--no-bom",
         action="store_true",
-        help="write CSV files without the byte order mark that Excel needs, for a system that refuses it",
+        help="write CSV files without the byte order mark that Excel needs, for a system that rejects it",
     )
 
 
@@ -101,7 +101,7 @@ def _add_appeals(parser: argparse.ArgumentParser) -> None:
         metavar="CSV",
         type=Path,
         help="lines of `student,exercise,criterion,points,reason,who`: marks to change after an appeal. They are "
-        "kept in DIR and still apply later. Without PATH nothing is judged",
+        "stored in DIR, and later runs apply them, too. Without PATH, nothing is judged",
     )
 
 
@@ -109,13 +109,13 @@ def _add_criteria(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--regrade",
         action="store_true",
-        help="run nothing: judge the stored recordings again by the current criteria",
+        help="run no answer: rejudge the stored recordings by the current criteria",
     )
     parser.add_argument(
         "--criteria",
         metavar="FOLDER",
         type=Path,
-        help="your own hidden criteria, NN_slug.py, in a folder outside of the course",
+        help="a folder outside the course with your own hidden criteria (NN_slug.py)",
     )
 
 
@@ -124,12 +124,12 @@ def _add_hand_ins(parser: argparse.ArgumentParser) -> None:
         "--aliases",
         metavar="CSV",
         type=Path,
-        help="lines of `file or folder,student`: who a hand-in belongs to",
+        help="lines of `file or folder,student`: which student a hand-in belongs to",
     )
     parser.add_argument(
         "--assignment",
         metavar="NAME",
-        help="what nbgrader calls the exercise: looks at submitted/STUDENT/NAME/ only",
+        help="the exercise's name in nbgrader: only submitted/STUDENT/NAME/ is read",
     )
 
 
@@ -137,23 +137,27 @@ def _add_lateness(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--deadline",
         metavar="DATE",
-        help="when it was due: 2026-05-31T23:59, with +02:00 for another zone; a date alone means the end of that day",
+        help="the deadline, such as 2026-05-31T23:59, with +02:00 for another zone; a date alone means the end of "
+        "that day",
     )
     parser.add_argument(
-        "--timezone", metavar="NAME", help="the zone of deadlines without one (default: this machine's)"
+        "--timezone",
+        metavar="NAME",
+        help="the time zone of deadlines that don't name one (default: this machine's)",
     )
     parser.add_argument(
         "--extensions",
         metavar="CSV",
         type=Path,
-        help="lines of `student,deadline`: the deadlines of single students",
+        help="lines of `student,deadline`: deadlines for individual students",
     )
     parser.add_argument(
         "--late-per-day",
         metavar="SHARE",
         type=float,
         default=0.0,
-        help="share of the points that each day after the deadline costs, complete or not: 0.1",
+        help="share of the points to subtract per day after the deadline, such as 0.1; a started day counts as a "
+        "whole one",
     )
 
 
@@ -162,13 +166,13 @@ def _add_repetition(parser: argparse.ArgumentParser) -> None:
         "--repeat",
         metavar="N",
         type=int,
-        help="judge each answer N times and name those whose verdict changes; the gradebook is left alone",
+        help="judge each answer N times, and list those whose verdict changes; the gradebook stays unchanged",
     )
     parser.add_argument(
         "--similar",
         action="store_true",
-        help="judge nothing: list pairs of answers that are the same but for names and layout. This is a hint, and "
-        "never a verdict",
+        help="judge nothing: list pairs of answers that differ only in names and layout. This is a hint, never a "
+        "verdict",
     )
 
 
@@ -181,10 +185,10 @@ def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
     formats = tuple(filter(None, (name.strip().lower() for name in options.format.split(","))))
     for name in formats:
         if name not in FORMATS:
-            raise BadOption(f"--format {name}: there are {', '.join(FORMATS)}")
+            raise BadOption(f"--format {name}: the formats are {', '.join(FORMATS)}")
     lateness = _lateness(options)
     if options.assignment is not None and Path(options.assignment).name != options.assignment:
-        raise BadOption(f"--assignment {options.assignment}: it is the name of a folder, without any /")
+        raise BadOption(f"--assignment {options.assignment}: give the name of a folder, without a /")
     return GradebookOptions(formats, lateness, options.column, options.assignment, bom=not options.no_bom)
 
 

@@ -75,7 +75,8 @@ class Stopping:
             os._exit(130)
         self.wanted = True
         print(
-            "\nStopping after the answers under way. Ctrl-C again stops at once; run the same command to go on.",
+            "\nStopping once the current answers are judged. Ctrl-C again stops right away. To continue later, run "
+            "the same command.",
             file=sys.stderr,
             flush=True,
         )
@@ -113,9 +114,9 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
             f"{summary.frozen} of these kept their marks although the criteria have changed since. To judge them "
             "again and list every difference, use --regrade."
         )
-    print(f"Everything: {out / 'results.jsonl'}   Made from it: {', '.join(map(str, written))}")
+    print(f"All results: {out / 'results.jsonl'}   Created from them: {', '.join(map(str, written))}")
     if summary.stopped:
-        print("Stopped early. Run the same command again to go on.")
+        print("Stopped early. To continue, run the same command again.")
         return 130
     return 1 if counts["infra_error"] else 0
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 SHOWN = 100
 """Maximum number of pairs to print. If there are more, the answers are similar because the task leaves no choice."""
 HINT = (
-    "This is a hint and not a verdict. Two correct answers to a short task can look the same although both students "
+    "This is a hint, not a verdict. Two correct answers to a short task can look the same although both students "
     "worked alone. Read both answers, and talk to the students, before you conclude anything."
 )
 
@@ -27,7 +27,7 @@ def list_similar(options: argparse.Namespace, exercise: "Exercise") -> int:
 
     others = [name for name in ("regrade", "repeat", "override") if getattr(options, name)]
     if others:
-        raise BadOption(f"--similar judges nothing, so it does not go together with --{others[0]}")
+        raise BadOption(f"--similar judges nothing, so it can't be combined with --{others[0]}")
     answers, unread = {}, []
     whose = roster(options)
     for hand_in in whose.hand_ins(all_hand_ins(options.paths, exercise.stem, options.assignment)):

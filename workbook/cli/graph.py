@@ -48,10 +48,10 @@ def register(subparsers: Any) -> None:
         "who publishes, who subscribes, with which QoS",
         lambda t, o: t.topic_info(o.topic, hidden=o.hidden),
     )
-    echo = _command(topic, "echo", "print messages as they come", _echo)
+    echo = _command(topic, "echo", "print messages as they arrive", _echo)
     echo.add_argument("--count", type=_positive, metavar="N", help="end after this many messages")
     echo.add_argument("--timeout", type=_seconds, default=math.inf, metavar="S", help="end after S seconds")
-    hz = _command(topic, "hz", "measure how often messages come", _hz)
+    hz = _command(topic, "hz", "measure how often messages arrive", _hz)
     hz.add_argument("--seconds", type=_seconds, default=5.0, metavar="S", help="for how long (default 5)")
     for parser in (info, echo, hz):
         parser.add_argument("topic", metavar="TOPIC", help="for example /robot/status")
@@ -78,7 +78,9 @@ def _seconds(text: str) -> float:
 
 def _domain(text: str) -> int:
     if not text.isdecimal() or int(text) > _LAST_DOMAIN:
-        raise argparse.ArgumentTypeError(f"{text} is not a ROS domain: those are 0 to {_LAST_DOMAIN}")
+        raise argparse.ArgumentTypeError(
+            f"{text} is not a ROS domain. Domains are numbers from 0 to {_LAST_DOMAIN}"
+        )
     return int(text)
 
 
@@ -174,12 +176,12 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
 
     def say(published: Sequence[str]) -> None:
         options.said_who = True
-        said = [f"Nobody publishes {topic}.", _topic_meant(topic, published)]
+        said = [f"No node publishes {topic}.", _topic_meant(topic, published)]
         if published:
-            said.append(f"Published now: {', '.join(published)}.")
+            said.append(f"Topics with a publisher: {', '.join(published)}.")
         else:
-            said.append("Nothing is published now. Is a node running?")
-        said.append("Waiting for it; Ctrl-C ends.")
+            said.append("No topic has a publisher. Is a node running?")
+        said.append("Waiting for a publisher. Press Ctrl-C to stop.")
         terminal.say(" ".join(filter(None, said)), sys.stderr)
 
     return say
@@ -244,11 +246,11 @@ def _ask_which(notebooks: list[OpenNotebook], nodes: dict[int, int]) -> int:
         words = "1 node" if count == 1 else f"{count or 'no'} nodes"
         print(f"  {place}  {notebook.label} (domain {notebook.domain_id}, {words})", file=sys.stderr)
     if not sys.stdin.isatty():
-        raise NoChoice("Say which with --domain N.")
+        raise NoChoice("Choose one with --domain N.")
     while True:
         print(f"Which one (1 to {len(notebooks)})? ", end="", file=sys.stderr, flush=True)
         answer = sys.stdin.readline()
         if not answer:
-            raise NoChoice("\nSay which with --domain N.")
+            raise NoChoice("\nChoose one with --domain N.")
         if answer.strip().isdigit() and 1 <= int(answer) <= len(notebooks):
             return notebooks[int(answer) - 1].domain_id

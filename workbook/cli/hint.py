@@ -16,15 +16,15 @@ def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "hint",
-        help="the next of three hints to an exercise: a nudge, a pointer, a sketch",
-        description="Show the next hint to an exercise. With LEVEL: that one, and those before it.",
+        help="show the next of an exercise's three hints: a nudge, a pointer, a sketch",
+        description="Show the next hint for an exercise. With LEVEL, show that hint and the ones before it.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     parser.add_argument(
         "level",
         metavar="LEVEL",
         nargs="?",
-        help="1 or nudge, 2 or pointer, 3 or sketch (default: the next one)",
+        help="1 or nudge, 2 or pointer, 3 or sketch (default: the next hint)",
     )
     parser.set_defaults(run=run)
 
@@ -56,7 +56,7 @@ def _level(text: str | None) -> int | None:
         return LEVELS.index(text) + 1
     if text.isdigit() and 1 <= int(text) <= len(LEVELS):
         return int(text)
-    raise ValueError(f"there is no hint {text}. There are 1 (nudge), 2 (pointer) and 3 (sketch)")
+    raise ValueError(f"there is no hint {text}. The hints are 1 (nudge), 2 (pointer), and 3 (sketch)")
 
 
 def hints_of(stem: str, hints: tuple[str, ...], level: int | None) -> str:

@@ -15,12 +15,14 @@ def register(subparsers: Any) -> None:
         description="Bring your copy of the lessons up to date (in a clone, it is work/) and open it in JupyterLab. "
         "Further arguments go to JupyterLab, for example --no-browser --port=8899.",
     )
-    lab.add_argument("--only-copy", action="store_true", help="bring your copy up to date, and open nothing")
+    lab.add_argument(
+        "--only-copy", action="store_true", help="only bring your copy up to date, without opening JupyterLab"
+    )
     lab.set_defaults(run=run_lab, takes_rest=True)
     again = subparsers.add_parser(
         "reset",
-        help="reset an exercise, keeping a backup of yours",
-        description="Reset an exercise in your copy. What you had is kept in .state/backups/ there.",
+        help="reset an exercise, and keep a backup of your version",
+        description="Reset an exercise in your copy. Your version is saved in its .state/backups/.",
     )
     again.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     again.set_defaults(run=run_reset)
@@ -63,6 +65,6 @@ def run_reset(options: argparse.Namespace) -> int:
         return 2
     print(f"{work.name}/exercises/{stem}.ipynb has been reset.")
     for path in kept:
-        print(f"What you had is in {path.relative_to(work.parent)}.")
+        print(f"Your version is saved in {path.relative_to(work.parent)}.")
     print("If it is open in JupyterLab, choose File > Reload Notebook from Disk.")
     return 0

@@ -24,7 +24,7 @@ GROUPS = (
     ("The robot of the open notebook", ("node", "topic", "graph")),
     ("This machine", ("doctor", "completion")),
     ("For instructors and authors", ("grade", "student", "replay", "package", "new")),
-    ("What other systems call", ("autograde",)),
+    ("Called by other systems", ("autograde",)),
 )
 
 

@@ -15,8 +15,8 @@ def register(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "new",
         help="for authors: start a lesson or an exercise from a template that passes every check",
-        description="Write a small lesson or exercise that passes every check as it is, and build its notebook. "
-        "Then make it yours, step by step; CONTRIBUTING.md says how.",
+        description="Write a small lesson or exercise that passes every check as it is, and build its notebook. Then "
+        "make it your own, step by step; CONTRIBUTING.md explains how.",
     )
     parser.add_argument("what", metavar="KIND", choices=("lesson", "exercise"), help="lesson or exercise")
     parser.add_argument(
@@ -58,7 +58,7 @@ def run(options: argparse.Namespace) -> int:
         from workbook.authoring.building import build
     except ImportError as missing:
         print(
-            f"The notebook is not built: {missing}. `make notebooks` installs what authors need and builds it."
+            f"The notebook is not built: {missing}. `make notebooks` installs the authors' tools and builds it."
         )
         return 0
     if build(tree, say=lambda words: None if words.startswith("unchanged") else print(words)):

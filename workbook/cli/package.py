@@ -13,7 +13,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = subparsers.add_parser(
         "package",
         help="for instructors: the students' edition, an autograder for Gradescope, a class repository",
-        description="Make what others need: students, or a system that judges answers as `workbook grade` does.",
+        description="Package the course for students, or for a system that judges answers as `workbook grade` does.",
     )
     places = parser.add_subparsers(title="places", metavar="PLACE", required=True)
     edition = places.add_parser(
@@ -34,18 +34,22 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--criteria",
         metavar="FOLDER",
         type=Path,
-        help="your own hidden criteria, NN_slug.py, to be packed as well",
+        help="a folder with your own hidden criteria (NN_slug.py) to include",
     )
     scope.set_defaults(run=run_gradescope)
     github = places.add_parser("github", help="a GitHub Actions workflow for a class repository")
     github.add_argument("exercises", metavar="EXERCISE", nargs="+", help="such as joint_positions")
     github.add_argument("--out", metavar="FOLDER", required=True, type=Path, help="the class repository")
     github.add_argument(
-        "--course", metavar="ADDRESS", help="where git fetches the course (default: your origin)"
+        "--course",
+        metavar="ADDRESS",
+        help="the address that git fetches the course from (default: your origin)",
     )
-    github.add_argument("--revision", metavar="COMMIT", help="its full commit id (default: the one you have)")
     github.add_argument(
-        "--reporter", action="store_true", help="also hand the points on to GitHub Classroom's reporter"
+        "--revision", metavar="COMMIT", help="the course's full commit ID (default: your current commit)"
+    )
+    github.add_argument(
+        "--reporter", action="store_true", help="also pass the points to GitHub Classroom's reporter"
     )
     github.set_defaults(run=run_github)
 
@@ -57,10 +61,10 @@ def run_students(options: argparse.Namespace) -> int:
 
     def work() -> int:
         edition = students_edition(course_folder(), options.out)
-        removed = f", {len(edition.removed)} of an earlier edition removed" if edition.removed else ""
+        removed = f", {len(edition.removed)} from an earlier edition removed" if edition.removed else ""
         print(f"Written: {options.out} ({len(edition.files)} files{removed}), the students' edition.")
-        print("It holds no solution, no right or wrong answer, nor any page for instructors.")
-        print("Try it before you give it away: make test, in that folder.")
+        print("It contains no solutions, no right or wrong answers, and no pages for instructors.")
+        print("Before you give it away, test it: run `make test` in that folder.")
         return 0
 
     return _run(work)
@@ -79,15 +83,15 @@ def run_gradescope(options: argparse.Namespace) -> int:
             os.environ[OWN_CRITERIA] = str(options.criteria.resolve())
         exercise = load_exercise(options.exercise)
         if options.criteria is not None and own_criteria(exercise.stem) is None:
-            raise CannotPackage(f"--criteria {options.criteria}: the folder holds no {exercise.stem}.py")
+            raise CannotPackage(f"--criteria {options.criteria}: the folder has no {exercise.stem}.py")
         names = gradescope_zip(exercise, course_folder(), options.out)
         size = options.out.stat().st_size / 1e6
         print(
             f"Written: {options.out} ({len(names)} files, {size:.1f} MB), the autograder of {exercise.stem}."
         )
         print(
-            f"In Gradescope: a Programming Assignment with {exercise.max_points:g} autograder points; upload the file "
-            "under Configure Autograder. exercises/README.md says more."
+            f"In Gradescope, create a Programming Assignment with {exercise.max_points:g} autograder points, and "
+            "upload the file under Configure Autograder. For details, see exercises/README.md."
         )
         return 0
 

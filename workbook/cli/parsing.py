@@ -158,7 +158,8 @@ def show_what_is_below(parser: CommandParser) -> int:
         print(parser.format_help(), end="")
         return 0
     print(
-        f"{parser.prog}: say what, for example `{parser.prog} {next(iter(parser.below))}`.", file=sys.stderr
+        f"{parser.prog}: the command is missing; try, for example, `{parser.prog} {next(iter(parser.below))}`.",
+        file=sys.stderr,
     )
     column = max(map(len, parser.below)) + 6
     for name, text in parser.briefly.items():

@@ -15,11 +15,11 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "replay",
-        help="show what happened in a report that a student has sent",
+        help="show the contents of a report that a student has sent",
         description="Show the answer, the judgment of its recording, the messages, and the doctor's report. Nothing "
-        "of the report is run.",
+        "in the report is executed.",
     )
-    parser.add_argument("file", metavar="FILE", type=Path, help="a file that `workbook report` has written")
+    parser.add_argument("file", metavar="FILE", type=Path, help="a file written by `workbook report`")
     parser.add_argument("--html", metavar="FILE", type=Path, help="also write a page with the timeline")
     parser.set_defaults(run=run)
 

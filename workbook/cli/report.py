@@ -13,7 +13,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "report",
         help="write a file to send to your instructor when you are stuck",
         description="Put your answer, the recording of its last check, and the doctor's report into one file. Home "
-        "folders and the names of the user and the machine are taken out. Nothing is sent: you send the file.",
+        "folders, your user name, and the machine's name are removed. Nothing is sent: you send the file yourself.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     parser.add_argument(
@@ -47,12 +47,16 @@ def run(options: argparse.Namespace) -> int:
         return 2
     print(f"Written: {as_typed(path)}")
     if last is None:
-        terminal.say(f"It holds no recording. To add one, run `workbook check {stem[:2]}`, then this again.")
+        terminal.say(
+            f"It contains no recording. To add one, run `workbook check {stem[:2]}`, and then this command "
+            "again."
+        )
     elif last.answer_sha256 != sha256:
         terminal.say(
-            f"Its recording shows an earlier version. To renew it, run `workbook check {stem[:2]}`, then this again."
+            f"Its recording shows an earlier version. To update it, run `workbook check {stem[:2]}`, and then this "
+            "command again."
         )
-    terminal.say("It is plain text: read it, and then send it to the person who helps you.")
+    terminal.say("It's plain text. Read it before you send it to the person who helps you.")
     return 0
 
 

@@ -11,8 +11,8 @@ def register(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "restore",
         help="restore your best judged version as the file to hand in",
-        description="Restore your best judged version as the file to hand in. The one you have now is "
-        "kept in answers/.previous/.",
+        description="Restore your best judged version as the file to hand in. Your current version is kept in "
+        "answers/.previous/.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="09_joint_positions, joint_positions or 9")
     parser.set_defaults(run=run)
@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
         stem = find(course_folder() / "solutions", options.exercise).stem
         folder = student_answers()
         if best_text(stem, folder) is not None and not hands_in_another(stem, folder):
-            print(f"{as_typed(folder / f'{stem}.py')} is your best version already.")
+            print(f"{as_typed(folder / f'{stem}.py')} already is your best version.")
             return 0
         saved = restore_best(stem, folder)
     except BrokenPipeError:
@@ -39,6 +39,6 @@ def run(options: argparse.Namespace) -> int:
         return 2
     print(f"{as_typed(saved.path)} is your best version again.")
     if saved.previous is not None:
-        print(f"The one before is kept as {as_typed(saved.previous)}.")
-    print(f"If its notebook is open, run %restore {stem[:2]} there: it changes the answer cell as well.")
+        print(f"The previous version is kept as {as_typed(saved.previous)}.")
+    print(f"If its notebook is open, run %restore {stem[:2]} there: it changes the answer cell, too.")
     return 0

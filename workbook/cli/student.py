@@ -14,19 +14,19 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add the subcommand with its actions."""
     parser = subparsers.add_parser(
         "student",
-        help="list, export or erase all that a gradebook holds about one student",
-        description="Find all that a gradebook holds about one student: results, logs, recordings, pages, changed "
-        "marks, and rows of tables.",
+        help="list, export, or erase all data about one student in a gradebook",
+        description="Find all data about one student in a gradebook: results, logs, recordings, pages, changed marks, "
+        "and rows of tables.",
     )
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
     texts = {
-        "list": "say what there is; change nothing",
-        "export": "pack it into a zip file",
-        "erase": "erase it; the tables and the page of the class are written again",
+        "list": "list the data; change nothing",
+        "export": "pack the data into a zip file",
+        "erase": "erase the data, and rewrite the tables and the class page",
     }
     for name, text in texts.items():
         action = actions.add_parser(name, help=text)
-        action.add_argument("student", metavar="STUDENT", help="the name, as grades.csv has it")
+        action.add_argument("student", metavar="STUDENT", help="the student's name, as in grades.csv")
         action.add_argument("--out", metavar="DIR", required=True, type=Path, help="the gradebook")
         action.add_argument(
             "--also",
@@ -34,7 +34,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             action="append",
             default=[],
             type=Path,
-            help="one of your lists that name students: aliases, extensions, appeals. May be given several times",
+            help="one of your lists with students' names: aliases, extensions, appeals. You can repeat this option",
         )
         if name == "export":
             action.add_argument("--to", metavar="FILE.zip", required=True, type=Path, help="a new file")
@@ -71,8 +71,8 @@ def _say(found: "Holdings") -> None:
     for path in found.files:
         print(f"  {path.relative_to(found.out)}")
     for path in found.shared:
-        print(f"  {path.relative_to(found.out)}: another student's result needs it as well, so it stays")
+        print(f"  {path.relative_to(found.out)}: another student's result needs it, too, so it stays")
     if found.answers:
         terminal.say(
-            f"The hand-ins are not in the gradebook, and stay: {printable(', '.join(found.answers))}."
+            f"The hand-ins aren't in the gradebook, so they stay: {printable(', '.join(found.answers))}."
         )

@@ -63,9 +63,7 @@ def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
     except SyntaxError as error:
         return SyntaxMistake(error.lineno or 1, error.offset or 1, (error.text or "").rstrip("\n"), error.msg)
     except (RecursionError, MemoryError):
-        return SyntaxMistake(
-            1, 1, "", "something in it is nested too deeply, or too long, for Python to read"
-        )
+        return SyntaxMistake(1, 1, "", "part of it is too deeply nested, or too long, for Python to read")
     except ValueError as error:
         return SyntaxMistake(1, 1, "", str(error))
     return None
@@ -122,13 +120,13 @@ def answer_in_notebook(path: Path, stem: str) -> Answer:
         if not str(found["text"]).strip() and len(found["answers"]) > 1:
             *others, last = found["answers"]
             raise Ungradable(
-                f"the last cell with `{ANSWER_MAGIC} {stem}`, cell {last}, is empty, and only the last one counts. "
-                f"Another one is cell {others[-1]}: delete cell {last}"
+                f"the last cell with `{ANSWER_MAGIC} {stem}`, cell {last}, is empty, but only the last one counts. An "
+                f"earlier one is cell {others[-1]}: delete cell {last}"
             )
         return Answer(str(found["text"]), _note(found, stem))
     if found["named"]:
         raise Ungradable(
-            f"the notebook answers {', '.join(sorted(found['named']))}, and not {stem}: no cell begins with "
+            f"the notebook answers {', '.join(sorted(found['named']))}, not {stem}: no cell begins with "
             f"`{ANSWER_MAGIC} {stem}`" + "".join(f". But {miss}" for miss in found["near"][:1])
         )
     near = "".join(f". But {miss}" for miss in found["near"][:1]) + "".join(
@@ -145,7 +143,7 @@ def _note(found: dict[str, Any], stem: str) -> str:
         return f"Cells {cells} begin with `{ANSWER_MAGIC} {stem}`. Cell {last} was judged, because the last one counts."
     if found["after"] is not None:
         return (
-            f"Cell {found['after']}, right after the answer, holds code that was not judged. If it belongs to the "
+            f"Cell {found['after']}, right after the answer, contains code that was not judged. If it belongs to the "
             "answer, put everything into one cell."
         )
     return ""
@@ -200,7 +198,7 @@ def read_answer(path: Path, stem: str) -> Answer:
         named = named_exercise(lines[0]) if lines else None
         if named is not None:
             if not means(named, stem):
-                raise Ungradable(f"the file answers {named}, and not {stem}")
+                raise Ungradable(f"the file answers {named}, not {stem}")
             text = "\n".join(lines[1:])
     else:
         raise Ungradable(

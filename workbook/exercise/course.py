@@ -34,8 +34,8 @@ def course_folder() -> Path:
     folder = Path(named) if named else own
     if not (folder / "exercises" / "criteria").is_dir():
         raise NoCourse(
-            f"{folder} holds no exercises/criteria. Run this in the environment that `make env` made in the "
-            "course's folder, or set WORKBOOK_COURSE to that folder."
+            f"{folder} has no exercises/criteria. Run this in the environment that `make env` made in the course's "
+            "folder, or set WORKBOOK_COURSE to that folder."
         )
     return folder
 

@@ -22,11 +22,11 @@ _HAS_A_CELL_MAGIC = "run_cell_magic"
 _TEXTS = (
     (
         r"\A\s*version https://git-lfs\.github\.com/",
-        "a pointer of Git LFS. Hand in the file that it stands for",
+        "a Git LFS pointer. Hand in the file that it points to",
     ),
-    (r"(?i)\A\s*(<!doctype html|<html|<\?xml|<head|<body)", f"a web page and not a program. {_HAND_IN_TEXT}"),
+    (r"(?i)\A\s*(<!doctype html|<html|<\?xml|<head|<body)", f"a web page, not a program. {_HAND_IN_TEXT}"),
     (r"\A\s*\{\\rtf", f"a text document (RTF). {_HAND_IN_TEXT}"),
-    (r"\A\s*Traceback \(most recent call last\):", f"an error message and not a program. {_HAND_IN_TEXT}"),
+    (r"\A\s*Traceback \(most recent call last\):", f"an error message, not a program. {_HAND_IN_TEXT}"),
     (
         r"(?m)\A\s*(\S+@\S+[:~].*)?[$#>] ?(python3?|cd|source|ls|pip|ros2|cat|workbook) ",
         f"a copy of a terminal. {_HAND_IN_TEXT}",
@@ -59,7 +59,7 @@ def kind_of(text: str) -> str | None:
             return f"the file is {kind}"
     for number, line in enumerate(lines, 1):
         if _COMMAND.match(line) and _reads_without(lines, number):
-            return f"line {number} is a notebook command and not Python: `{line.strip()[:60]}`. Delete it"
+            return f"line {number} is a notebook command, not Python: `{line.strip()[:60]}`. Delete it"
     return None
 
 

@@ -118,7 +118,7 @@ def _node_never_discovered(recording: Recording) -> str:
     """Return why discovery may have failed: a program with open DDS ports on our domain has a node, but we saw none."""
     here = recording.domain_id in recording.process.domains_used
     if here and _was_alive_throughout(recording) and not recording.nodes and not recording.with_publishers():
-        return f"the program was on domain {recording.domain_id}, and its node was never seen there"
+        return f"the program was on domain {recording.domain_id}, but its node was never seen there"
     return ""
 
 
@@ -129,7 +129,7 @@ def _publisher_never_matched(recording: Recording, plan: Plan) -> str:
         topic = recording.topic(name)
         there = any(publisher.last_seen is None for publisher in topic.publishers)
         if there and topic.window is None and not topic.arrivals:
-            return f"the publisher of {name} was seen, and the judge was never connected to it"
+            return f"the publisher of {name} was seen, but the judge never connected to it"
     return ""
 
 
@@ -143,7 +143,7 @@ def crashed_on_interrupt(recording: Recording) -> str:
     """
     process = recording.process
     if process.ended_by == "judge" and process.signal == "SIGSEGV" and not process.limits_hit:
-        return "the program crashed while Ctrl-C ended it, which happens sometimes because of a bug in rclpy"
+        return "the program crashed while Ctrl-C ended it, which sometimes happens because of a bug in rclpy"
     return ""
 
 
@@ -153,7 +153,7 @@ def _end_overtaken(lost: Sequence[CriterionResult]) -> str:
     Any program can print the text by which we recognize this: see `shutdown_overtaken`.
     """
     if any(result.cause == END_OVERTAKEN for result in lost):
-        return "it looks as if rclpy's own handling of Ctrl-C had overtaken the program's shutdown"
+        return "it looks as if rclpy's own Ctrl-C handler shut the context down before the program did"
     return ""
 
 
@@ -164,7 +164,7 @@ def _end_aborted(lost: Sequence[CriterionResult]) -> str:
     right away. Source: `_wait_for_tstate_lock` in https://github.com/python/cpython/blob/3.11/Lib/threading.py.
     """
     if any(result.cause == END_ABORTED for result in lost):
-        return "the program aborted at its end, which Python can cause where Ctrl-C interrupts Thread.join()"
+        return "the program aborted at its end, which can happen in Python if Ctrl-C interrupts Thread.join()"
     return ""
 
 
@@ -177,7 +177,7 @@ def _node_seen_after_exit(recording: Recording) -> str:
     if process.ended_by == "judge" and process.exit is not None:
         for node in recording.nodes:
             if node.stayed:
-                return f"the program ended by itself after Ctrl-C, and {node.name} was not seen to leave the graph"
+                return f"the program ended by itself after Ctrl-C, but {node.name} was not seen leaving the graph"
     return ""
 
 
@@ -229,7 +229,7 @@ def _program_was_starved(lost: Sequence[CriterionResult], recording: Recording) 
 def _busy_machine_to_blame(lost: Sequence[CriterionResult]) -> str:
     """Return why the machine may be to blame: according to a criterion, even a correct program could be this late."""
     if any((result.cause or "").endswith(BUSY_MACHINE) for result in lost):
-        return "this machine was so busy that a program without a fault may be late by some milliseconds"
+        return "this machine was so busy that even a correct program may be late by a few milliseconds"
     return ""
 
 
@@ -257,5 +257,5 @@ def _one_message_was_late(
         late_s = max(odd, default=0.0) - usual
         longest = max(WITH_THE_NEXT * usual, _kept_waiting_s(recording))
         if len(odd) <= FEW_ODD_GAPS and 0.0 < late_s <= longest:
-            return f"a message of {name} came {late_s:.2f} s late, and the others were in step"
+            return f"a message on {name} was {late_s:.2f} s late, but the others were on time"
     return ""

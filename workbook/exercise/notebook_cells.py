@@ -133,7 +133,7 @@ def _why_no_json(raw: bytes) -> str:
     if conflict is not None:
         return f"Git left a conflict in line {conflict}. Choose one version, and save it again"
     if not start.startswith((b"{", b"[")):
-        return "it holds something else than a notebook. Open it in JupyterLab, or hand in the right file"
+        return "it contains something other than a notebook. Open it in JupyterLab, or hand in the right file"
     try:
         raw.decode()
     except UnicodeDecodeError:
@@ -144,7 +144,7 @@ def _why_no_json(raw: bytes) -> str:
 def _why_no_notebook(found: Any) -> str | None:
     """Return the problem with JSON that should be a notebook; None if there is none."""
     if not isinstance(found, dict):
-        return "the file holds no notebook, but other data"
+        return "the file contains other data, not a notebook"
     if "worksheets" in found:
         return "its format is from 2014 or older (nbformat 3). Open it in JupyterLab and save it again"
     cells = found.get("cells")
@@ -164,9 +164,9 @@ def _near_miss(text: str, kind: str) -> str | None:
             continue
         shown = " ".join(line.split())[:60].replace("`", "'")
         if kind != "code":
-            return f"begins with `{shown}`, but it is a {kind} cell and not a code cell"
+            return f"begins with `{shown}`, but it is a {kind} cell, not a code cell"
         if place > 1 and named_exercise(line):
-            return f"has `{shown}` in line {place}, and not in its first line"
+            return f"has `{shown}` in line {place}, not in its first line"
         return f"has the line `{shown}`"
     return None
 

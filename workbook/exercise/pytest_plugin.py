@@ -24,7 +24,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption("--answer", type=Path, help="run this answer and judge it by the criteria file given")
     group.addoption("--recording", type=Path, help="judge this stored recording by the criteria file given")
     group.addoption(
-        "--seed", type=int, help="draw what the judge sends from this number, as in an earlier run"
+        "--seed", type=int, help="seed of the random values that the judge sends, as in an earlier run"
     )
 
 

@@ -109,9 +109,14 @@ def what_counts(tries: Sequence[Judgement]) -> Counting:
         counts = replace(counts, inconclusive_reason="", end_only=False)  # what every try shows isn't chance
     name = NUMERALS[number]
     if any(_parts(tries[one], at_end=False) != _parts(counts, at_end=False) for one in sound):
-        why = f"The {name} one counts, the lowest: before its end, the program didn't always behave in the same way."
+        why = (
+            f"The {name} one counts, because it is the lowest: before its end, the program didn't always behave in the "
+            "same way."
+        )
     elif any(tries[one].score != counts.score for one in sound):
-        why = f"The {name} one counts, the best: only the ends of the program differ."
+        why = (
+            f"The {name} one counts, because it is the best: the tries differ only in how the program ended."
+        )
     elif len(sound) < len(tries):
         why = f"The {name} one counts: something other than the program disturbed the rest."
     else:

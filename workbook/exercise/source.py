@@ -152,7 +152,7 @@ def find(solutions: Path | str, name: str) -> Path:
     if fits:
         raise UnknownExercise(f"{name!r} could be {' or '.join(fits)}: write the complete name")
     if not known:
-        raise UnknownExercise(f"no exercise {name!r}: {solutions} holds no exercises")
+        raise UnknownExercise(f"no exercise {name!r}: {solutions} has no exercises")
     near = difflib.get_close_matches(wanted, [*known, *(stem[3:] for stem in known)], n=1)
     guess = f" Did you mean {near[0]}?" if near else ""
     raise UnknownExercise(f"no exercise {name!r}.{guess} There are: {', '.join(known)}")

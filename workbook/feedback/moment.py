@@ -52,7 +52,7 @@ def gained(before: float, now: float, solved: int, of: int) -> str:
     elif now > before:
         points = f"You gained {now:g} {_points(now)}. "
     else:
-        points = "You had these points already, and they stay yours. "
+        points = "You already had these points, and you keep them. "
     return f"{points}{solved} of {of} exercises solved."
 
 

@@ -119,9 +119,10 @@ def provisional_line(judgement: Judgement) -> str:
         return ""
     if judgement.inconclusive_reason:
         return (
-            f"Inconclusive: {judgement.inconclusive_reason}. It is tried once more; that takes some seconds."
+            f"Inconclusive: {judgement.inconclusive_reason}. Your program is judged once more, which takes a few "
+            "seconds."
         )
-    return "Provisional: this was seen on fast robot time. The wall clock decides; that takes some seconds."
+    return "Provisional: this was judged on fast robot time. The run on the wall clock decides; it takes a few seconds."
 
 
 def inconclusive_line(judgement: Judgement, *, is_graded: bool = False) -> str:

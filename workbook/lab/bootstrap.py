@@ -71,29 +71,31 @@ def _check_platform(system: str, machine: str) -> None:
     if system != "Linux":
         section = "Windows" if system == "Windows" else "macOS and ARM"
         raise EnvironmentProblem(
-            "the wheels of rclpy are for Linux and this is {}. See '{}' in environment.md.".format(
+            "the wheels of rclpy are for Linux, but this is {}. See '{}' in environment.md.".format(
                 system, section
             )
         )
     if machine not in ("x86_64", "AMD64"):
         raise EnvironmentProblem(
-            "the wheels of rclpy are for x86_64 and this machine is {}. "
-            "See 'macOS and ARM' in environment.md.".format(machine)
+            "the wheels of rclpy are for x86_64, but this machine is {}. See 'macOS and ARM' in environment.md.".format(
+                machine
+            )
         )
 
 
 def _check_interpreter(version: tuple[int, ...], implementation: str) -> None:
     if not OLDEST <= version <= NEWEST:
         raise EnvironmentProblem(
-            "Python {} to {} is needed and {} is Python {}. Install one and name it, for example "
-            "`make env PYTHON=python3.12`. See 'A suitable Python' in environment.md.".format(
+            "Python {} to {} is needed, but {} is Python {}. Install one and name it, for example `make env "
+            "PYTHON=python3.12`. See 'A suitable Python' in environment.md.".format(
                 version_text(OLDEST), version_text(NEWEST), sys.executable, version_text(version)
             )
         )
     if implementation != "CPython":
         raise EnvironmentProblem(
-            "the wheels of rclpy are for CPython and {} is {}. "
-            "See 'A suitable Python' in environment.md.".format(sys.executable, implementation)
+            "the wheels of rclpy are for CPython, but {} is {}. See 'A suitable Python' in environment.md.".format(
+                sys.executable, implementation
+            )
         )
 
 
@@ -104,8 +106,10 @@ def _check_libc(name: str, number: str) -> None:
             "glibc {}".format(number) if name == "glibc" else "another C library ({})".format(name or "musl?")
         )
         raise EnvironmentProblem(
-            "the wheels of rclpy need glibc {} or newer and this system has {}. "
-            "See 'Docker' in environment.md.".format(version_text(OLDEST_GLIBC), found)
+            "the wheels of rclpy need glibc {} or newer, "
+            "but this system has {}. See 'Docker' in environment.md.".format(
+                version_text(OLDEST_GLIBC), found
+            )
         )
 
 
@@ -187,9 +191,10 @@ def run(command: list[Any], what: str, temporary: str | None = None) -> None:
     done = subprocess.run([str(part) for part in command], cwd=str(ROOT), env=environ)
     if done.returncode:
         raise EnvironmentProblem(
-            "{} failed (exit {}; the lines above say why). No network, a full disk and a proxy are the usual "
-            "reasons. Run the same command again: it goes on by itself. See 'When something fails' in "
-            "environment.md.".format(what, done.returncode)
+            "{} failed (exit {}; the lines above say why). The usual reasons are no network, a full disk, or a proxy. "
+            "Run the same command again: it continues by itself. See 'When something fails' in environment.md.".format(
+                what, done.returncode
+            )
         )
 
 
@@ -212,7 +217,7 @@ def create(uv: str | None) -> None:
         ours = (VENV / "pyvenv.cfg").exists() or (VENV / UNFINISHED).exists() or not any(VENV.iterdir())
         if not ours:
             raise EnvironmentProblem(
-                "{} exists and is not an environment. Move it away and try again.".format(VENV)
+                "{} exists, but is not an environment. Move it away and try again.".format(VENV)
             )
         shutil.rmtree(str(VENV))
     VENV.mkdir()
@@ -332,7 +337,7 @@ def main(arguments: list[str] | None = None) -> int:
         print("make: {}".format(problem), file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("\nStopped. The next start goes on.", file=sys.stderr)
+        print("\nStopped. The next start continues from here.", file=sys.stderr)
         return 130
     return 0
 

@@ -123,7 +123,7 @@ def check_route(rclpy_folder: Path, system: str) -> HealthFinding:
     source = "RoboStack's conda packages" if is_conda else f"the packages in {rclpy_folder.parent}"
     differs = [
         "The lock file isn't used, so versions differ from ours.",
-        "A message field with a value of a wrong type may end the whole process where our wheels send 0.0.",
+        "A value of the wrong type in a message field may end the whole process, but our wheels send 0.0 instead.",
     ]
     if system != "Linux":
         differs.append(
@@ -192,16 +192,20 @@ def check_folders() -> HealthFinding:
                 pass
         except OSError as error:
             if folder is None:
-                saw.append("/dev/shm cannot be written (the workbook does not need it)")
+                saw.append("/dev/shm is not writable (the workbook doesn't need it)")
                 continue
-            todo = "Set HOME to a folder of yours." if name == "home" else "Set TMPDIR to a folder of yours."
+            todo = (
+                "Set HOME to a folder that you own."
+                if name == "home"
+                else "Set TMPDIR to a folder that you own."
+            )
             return HealthFinding(
                 "fix", "Folders", f"{name} folder {place} cannot be written: {error.strerror}", todo
             )
         free = shutil.disk_usage(place).free / GIB
         if free < needed:
             return HealthFinding(
-                "fix", "Folders", f"{name} folder {place} has {free * 1024:.0f} MB left", "Make room."
+                "fix", "Folders", f"{name} folder {place} has {free * 1024:.0f} MB left", "Free some space."
             )
         saw.append(f"{name} {free:.1f} GB free")
     return HealthFinding("ok", "Folders", ", ".join(saw))
@@ -321,7 +325,7 @@ def check_kernel() -> HealthFinding:
 
         todo = "Run `rclpy-workbook lab --only-copy`." if is_from_wheel() else "Run `make env`."
         return HealthFinding(
-            "fix", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", todo
+            "fix", "Jupyter kernel", f"starts, but is not set up: {said or 'no answer'}", todo
         )
     domain = said.split("domain ")[1].split()[0]
     return HealthFinding(

@@ -159,8 +159,10 @@ class RestoreHandler(WorkbookHandler):
         try:
             saved = restore_best(stem, desk.answers)
         except NothingJudged as error:
-            raise web.HTTPError(409, reason="nothing was judged yet") from error
-        kept = f" The one before is kept as {saved.previous.name}." if saved.previous is not None else ""
+            raise web.HTTPError(409, reason="nothing has been judged yet") from error
+        kept = (
+            f" The previous version is kept as {saved.previous.name}." if saved.previous is not None else ""
+        )
         said = (
             f"{ANSWERS}/{stem}.py is your best version again.{kept} "
             f"In the exercise notebook, %restore shows it in the answer cell, too."

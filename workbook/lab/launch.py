@@ -89,8 +89,8 @@ def check_port(arguments: Sequence[str]) -> None:
             probe.bind((address, int(wanted)))
         except OSError as error:
             raise CannotLaunch(
-                f"Port {wanted} cannot be used ({error.strerror}). Perhaps another JupyterLab has it: "
-                f"`.venv/bin/jupyter server list` shows them. Without --port a free one is taken."
+                f"Port {wanted} cannot be used ({error.strerror}). Perhaps another JupyterLab is using it: "
+                "`.venv/bin/jupyter server list` lists them. Without --port, a free port is chosen."
             ) from error
 
 
@@ -106,8 +106,8 @@ def check_folders() -> None:
                 pass
         except OSError as error:
             raise CannotLaunch(
-                f"JupyterLab keeps files in {folder}, and they cannot be written there ({error.strerror}). "
-                "Set HOME to a folder of yours: HOME=/path/to/folder make lab"
+                f"JupyterLab stores files in {folder}, but cannot write there ({error.strerror}). Set HOME to a "
+                "folder that you own: HOME=/path/to/folder make lab"
             ) from error
 
 

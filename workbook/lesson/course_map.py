@@ -141,11 +141,11 @@ class CourseMap:
         """The next step, as a sentence."""
         lesson = self.next_lesson
         if lesson is None:
-            return "You have done all there is. Well done!"
+            return "You've completed the whole course. Well done!"
         if lesson.is_read:
-            return f"Go on with the exercise of: {lesson.title}"
+            return f"Continue with the exercise of: {lesson.title}"
         begun = lesson.place is not None and lesson.cells[0] > 0
-        return f"Go on with: {lesson.title}" + (
+        return f"Continue with: {lesson.title}" + (
             f", at “{lesson.place.heading}”" if begun and lesson.place else ""
         )
 

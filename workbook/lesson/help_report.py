@@ -115,10 +115,10 @@ def read_report(path: Path, exercises: Collection[str]) -> HelpReport:
         report: HelpReport = decode(HelpReport, json.loads(raw.decode("utf-8"), parse_constant=_no_number))
     except (ValueError, RecursionError) as error:
         raise NoReport(
-            f"{path} is damaged, or is not a report of `workbook report`. Ask for a new one"
+            f"{path} is damaged, or wasn't written by `workbook report`. Ask for a new one"
         ) from error
     if report.exercise not in exercises:
-        raise NoReport(f"{path} is about an exercise that this course does not have")
+        raise NoReport(f"{path} is about an exercise that this course doesn't have")
     return report
 
 

@@ -61,7 +61,7 @@ def record_machine(program: Program, seconds: float = 3.0, **parameters: object)
             if process.killed:
                 observer.move()
             if not notes.exists():
-                raise RuntimeError(f"nothing was noted of {file.name}:\n{process.record().log.strip()}")
+                raise RuntimeError(f"nothing was recorded from {file.name}:\n{process.record().log.strip()}")
         return from_notes(json.loads(notes.read_text(encoding="utf-8")))
     finally:
         remove_scratch(folder)
@@ -82,5 +82,5 @@ def film_of(
     """Return the film that `show_machine` shows."""
     recording = seen.recording if isinstance(seen, Seen) else seen
     if recording is None:
-        raise RuntimeError("the block of watch_machine has not ended: show its recording after the block")
+        raise RuntimeError("the watch_machine block hasn't ended yet: show its recording after the block")
     return play(recording, description, begin, end)

@@ -30,7 +30,7 @@ def recall(right: str, about: str | None = None) -> None:
     name = _latest if about is None else about
     mine = _predictions.get(name)
     if mine is None:
-        print(f"The run says {right}. (You made no prediction for {name}; try one next time.)")
+        print(f"The outcome is {right}. (You made no prediction for {name}; try one next time.)")
     elif mine.casefold() == right.casefold():
         print(f"You predicted {mine} for {name}, and {right} it is.")
     else:

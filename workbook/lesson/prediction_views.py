@@ -93,15 +93,15 @@ class PredictionOutcome:
         usual = self.prediction.usual
         if self.happened is None:
             told = ", ".join(f"{name} = {_rounded(value)}" for name, value in self.measured.items())
-            said = f"This run fits none of the options ({told}). As a rule it is {usual}."
+            said = f"This run fits none of the options ({told}). The usual outcome is {usual}."
         elif self.happened != usual:
-            said = f"This time the run turned out differently than usual: {self.happened}. As a rule it is {usual}."
+            said = f"This run had an unusual outcome: {self.happened}. The usual outcome is {usual}."
         else:
             said = f"The outcome is {usual}."
         if self.mine is None:
             return said
         right = self.mine == (self.happened or usual)
-        return f"You predicted {self.mine}. {said}" + (" Well predicted." if right else "")
+        return f"You predicted {self.mine}. {said}" + (" Well done." if right else "")
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one entry per option: its sign, text, reason, marks, and kind (happened, mine, other)."""
@@ -115,7 +115,7 @@ class PredictionOutcome:
             if option.letter == self.happened:
                 marks.append("what happened")
             elif option.letter == self.prediction.usual:
-                marks.append("what happens as a rule")
+                marks.append("what usually happens")
             sign = "✓" if option.letter == happened else "✗"
             rows.append(
                 {

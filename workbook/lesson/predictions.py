@@ -73,9 +73,11 @@ def choose(prediction: Prediction, choice: str) -> Noted:
     name = prediction.name
     letter, before = prediction.letter_of(choice), _chosen_letter(prediction)
     if letter is None:
-        return Noted(before, f"{choice.strip()!r} is none of the options. Choose {prediction.letters}.")
+        return Noted(before, f"{choice.strip()!r} isn't one of the options. Choose {prediction.letters}.")
     if before is not None and _is_closed(name):
-        return Noted(before, f"Your prediction was {before}. You have seen the outcome, so it stays.")
+        return Noted(
+            before, f"Your prediction was {before}. You've seen the outcome, so you can't change it anymore."
+        )
     _chosen[name] = letter
     note_prediction(name, letter)
     if name in _waiting:

@@ -104,8 +104,8 @@ def _better_line(asked: Asked, judgement: Judgement) -> str:
         return ""
     most = wording.points(wording.shown_points(judgement)[1])
     return (
-        f"Your best version, with {wording.points(best)} of {most} points, is kept, and so are its points. "
-        "The file to hand in now holds another one."
+        f"Your best version, with {wording.points(best)} of {most} points, is saved, and you keep those points. But "
+        "the file to hand in now contains a different version."
     )
 
 

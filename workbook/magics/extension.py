@@ -118,7 +118,7 @@ class ExerciseMagics(Magics):
         if mistake is not None:
             caret = " " * (mistake.column - 1) + "^"
             print(
-                f"Python cannot read it yet: {mistake.message}, line {mistake.line} of the answer.\n"
+                f"It isn't valid Python yet: {mistake.message}, line {mistake.line} of the answer.\n"
                 f"    {mistake.text}\n    {caret}"
             )
         elif CHECK_OPTION not in words:
@@ -129,9 +129,9 @@ class ExerciseMagics(Magics):
     @staticmethod
     def _kept_from_the_starter(saved: Saved, cell: str) -> str:
         return (
-            f"Kept your answer in {shown_path(saved.path)}: {cell} holds the starter again, and a starter never "
-            f"replaces your work.\n`%load {saved.path}` brings your answer back into a cell; `%reset` really starts "
-            "over."
+            f"Your answer stays in {shown_path(saved.path)}: {cell} contains the starter again, and a starter never "
+            f"replaces your work.\nTo load your answer into a cell, run `%load {saved.path}`. To start over, run "
+            "`%reset`."
         )
 
     def _request(self) -> object:
@@ -149,12 +149,12 @@ class ExerciseMagics(Magics):
             self._need_file(exercise.stem)
             return screen.version_that_ran(exercise.stem, self.shell.user_ns if self.shell else {})
         if not program.strip():
-            raise _Notice("The answer cell is empty. Your answer file stays as it is.")
+            raise _Notice("The answer cell is empty, so your answer file is unchanged.")
         saved = save_answer(exercise.stem, program, exercise.source.starter_code)
         if saved.outcome == "refused":
             raise _Notice(self._kept_from_the_starter(saved, "the answer cell"))
         if saved.outcome != "unchanged":
-            print(f"Took the answer cell as it is now, and saved it as {shown_path(saved.path)}.")
+            print(f"Saved the current answer cell as {shown_path(saved.path)}.")
         return None
 
     @line_magic
@@ -167,7 +167,7 @@ class ExerciseMagics(Magics):
         self._keep_what_is_on_the_screen(exercise)
         saved = replace_answer(exercise.stem, exercise.source.starter_code)
         screen.put_on_screen(self.shell, self._request(), exercise.stem, exercise.source.starter_code)
-        print(f"{shown_path(saved.path)} holds the starter again.")
+        print(f"{shown_path(saved.path)} contains the starter again.")
         if saved.previous is not None:
             print(f"Your answer is kept as {shown_path(saved.previous)}.")
 
@@ -192,9 +192,9 @@ class ExerciseMagics(Magics):
             saved = restore_best(stem)
             print(f"{file} is your best version again.")
             if saved.previous is not None:
-                print(f"The one before is kept as {shown_path(saved.previous)}.")
+                print(f"The previous version is kept as {shown_path(saved.previous)}.")
         else:
-            print(f"{file} is your best version already.")
+            print(f"{file} already is your best version.")
         best = best_text(stem) or ""
         if shown is None or not same_program(shown, best):
             screen.put_on_screen(self.shell, self._request(), stem, best)
@@ -225,7 +225,7 @@ class ExerciseMagics(Magics):
         mistake = syntax_mistake(answer.text)
         if mistake is not None:
             raise _Notice(
-                f"Python cannot read it yet: {mistake.message}, line {mistake.line}: {mistake.text.strip()}"
+                f"It isn't valid Python yet: {mistake.message}, line {mistake.line}: {mistake.text.strip()}"
             )
         self._running.stop(exercise.stem, told=False)
         around = self._start_partner(exercise)
@@ -342,7 +342,7 @@ class ExerciseMagics(Magics):
             for part in (f"**Hint {one} of {len(hints)}.**", hints[one - 1])
         ]
         if wanted is None and progress.hints >= len(hints):
-            told.append(f"These are all {len(hints)} hints.")
+            told.append("There are no more hints.")
         with changed_progress(exercise.stem) as kept:
             kept.hints = max(kept.hints, number)
         display(Markdown("\n\n".join(told)))
@@ -365,7 +365,7 @@ class ExerciseMagics(Magics):
         introduction = (
             "A prompt for a review of your program, for a colleague or an AI assistant."
             if done
-            else "A prompt for a colleague or an AI assistant. It asks for help, and not for the program."
+            else "A prompt for a colleague or an AI assistant. It asks for help, not for the program."
         )
         display(Prompt(introduction, review_prompt(exercise.source, answer.text, judgement)))
 
@@ -378,14 +378,14 @@ class ExerciseMagics(Magics):
         exercise = self._exercise(line)
         if not exercise.source.has_solution:
             raise _Notice(
-                "This edition of the course comes without solutions: your instructor has them. %hint helps until then."
+                "This edition of the course has no solutions, but your instructor has them. For help, use %hint."
             )
         progress = load_progress(exercise.stem)
         if not progress.may_see_solution:
             left = TRIES_BEFORE_SOLUTION - progress.tries
             raise _Notice(
-                f"The solution opens when your answer passes, or after {left} more "
-                f"{'try' if left == 1 else 'tries'} with %check. %hint helps until then."
+                f"You can see the solution when your answer passes, or after {left} more "
+                f"{'try' if left == 1 else 'tries'} with %check. Until then, use %hint."
             )
         source = exercise.source
         display(Markdown(f"```python\n{source.solution_code.rstrip()}\n```\n\n{source.alternatives}"))

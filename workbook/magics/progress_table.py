@@ -75,7 +75,7 @@ class ProgressTable:
     def warnings(self) -> list[str]:
         """A line for each exercise whose file to hand in isn't the best version."""
         return [
-            f"{one.stem}: the file to hand in is not your best version. To put that back, run "
+            f"{one.stem}: the file to hand in is not your best version. To restore your best one, run "
             f"%restore {one.stem[:2]} in its notebook, or workbook restore {one.stem[:2]} in a terminal."
             for one in self.course.not_best
         ]
@@ -87,8 +87,8 @@ class ProgressTable:
         (read, lessons), (solved, exercises) = sums["lessons read"], sums["exercises solved"]
         points, most = sums["points"]
         return (
-            f"{read} of {lessons} lessons read, {solved} of {exercises} exercises solved, "
-            f"{points:g} of {most:g} points. A lesson is read when you have run its cells one by one."
+            f"{read} of {lessons} lessons read, {solved} of {exercises} exercises solved, {points:g} of {most:g} "
+            "points. A lesson counts as read when you have run its cells one by one."
         )
 
     @property

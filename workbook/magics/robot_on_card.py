@@ -29,8 +29,8 @@ FAST_GLIDE_MS = 110
 """While the judge watches, the robot glides between updates that come four times a second."""
 GLIDES_MS = (70, 300)
 """The fastest and the slowest glide of a replay."""
-MOVES_NOW = "Your robot moves by what your program sends."
-MOVED = "Your robot moves again as it did by what your program sent."
+MOVES_NOW = "Your program's messages move the robot."
+MOVED = "A replay: your program's messages moved the robot like this."
 _PER_GLIDE = 5
 _DIGITS = 3
 _MOVES_NOTHING = {"awake", "words"}

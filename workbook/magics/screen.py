@@ -32,7 +32,7 @@ class Version:
         """Return a sentence or two for the student, such as "Judging the version you ran at 14:03."."""
         said = f"{doing} the version you ran {self.ran_at}."
         if self.differs:
-            said += " The saved notebook holds another one: run its answer cell first."
+            said += " The saved notebook contains a different version: run its answer cell first."
         return said
 
 

@@ -34,10 +34,10 @@ _OF_ROS = (
 _INDEX = """\
 # The error museum
 
-Each page has the smallest program that raises its error. We run these programs, so the texts are exact. Search for your
-message, or pick it from this list. [Symptoms without a text](symptoms.md) have their own list."""
+Each page has the smallest program that raises its error. We run these programs, so the messages are exact. Search for
+your message, or pick it from this list. [Symptoms without an error message](symptoms.md) have their own list."""
 _SYMPTOMS = """\
-# Symptoms without a text
+# Symptoms without an error message
 
 Nothing is printed, but the robot doesn't do what you expect."""
 
@@ -123,7 +123,7 @@ class ErrorPages:
                 parts.append(f"## Also in lesson {title_of(self.tree, exhibit.lesson)}")
             parts += [f"**What it means.** {exhibit.cause}", f"**The fix.** {exhibit.fix}"]
         if page.extra and page.extra.also and page.printed:
-            parts += ["## Other texts of this error", *(_fenced(one, "text") for one in page.extra.also)]
+            parts += ["## Other wordings of this error", *(_fenced(one, "text") for one in page.extra.also)]
         elif page.extra and page.extra.also:
             parts.append("People also say: " + "; ".join(f"“{one}”" for one in page.extra.also) + ".")
         parts.append("## In the lesson")

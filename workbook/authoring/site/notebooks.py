@@ -39,7 +39,7 @@ _OUTCOME = "border-left:6px solid"
 _HAPPENED = re.compile(r"<b>✓ (\w)</b>")
 _WIDGET = "application/vnd.jupyter.widget-view+json"
 _READ = "This page shows a recorded run."
-_TASK = "Here you can read the task. The judge, the hints, and the robot need the course."
+_TASK = "You can read the task here. To use the judge, the hints, and the robot, run the course."
 
 
 @dataclass

@@ -23,7 +23,7 @@ COPIED = (
     "environment.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "exercises/README.md", "exercises/teaching.md",
     "notebooks/glossary.md",
 )  # fmt: skip
-GREETING = "A recorded node of lesson 00 moves this robot."
+GREETING = "A recorded node from lesson 00 moves this robot."
 MOVED = {"README.md": "index.md", "notebooks/error_museum.md": "errors/index.md"}
 """Repository pages that the site replaces with other pages, at other paths."""
 

@@ -195,5 +195,5 @@ class WatchMode:
     def _keys(self) -> tuple[str, ...]:
         saving = f"Watching {as_typed(self._watched.file)}. Save it to judge it again."
         if not self._screen.takes_keys:
-            return (f"{saving} Ctrl-C ends.",)
+            return (f"{saving} Press Ctrl-C to stop.",)
         return (saving, "Keys: h hint, c check again, q quit.")

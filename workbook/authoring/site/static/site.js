@@ -150,7 +150,7 @@ const reveal = (name, letter) => {
     const {happened, html} = told(outcome.dataset.sealed);
     const words = document.createElement('p');
     words.className = 'wb-yours';
-    words.textContent = letter === happened ? `✓ You predicted ${letter}. Well predicted.` : `✗ You predicted ${letter}, and ${happened} happened.`;
+    words.textContent = letter === happened ? `✓ You predicted ${letter}. Well done.` : `✗ You predicted ${letter}, but ${happened} happened.`;
     const told_ = document.createElement('div');
     told_.innerHTML = html;
     outcome.replaceChildren(words, told_);
@@ -168,7 +168,7 @@ const ask = node => {
     });
     kept.write(name, letter);
     status.textContent = outcomes(name).length
-      ? `Your prediction: ${letter}. ${again ? 'You made it earlier. ' : ''}The outcome of the recorded run is shown below.`
+      ? `Your prediction: ${letter}. ${again ? 'You made it on an earlier visit. ' : ''}The outcome of the recorded run is shown below.`
       : `Your prediction: ${letter}. Read on to see what happens.`;
     reveal(name, letter);
   };

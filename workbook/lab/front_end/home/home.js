@@ -102,7 +102,7 @@
         this.greet(greeter => {
           figure.append(greeter.node);
           const {share} = figure.dataset;
-          const text = `a humanoid robot with twelve joints; its battery shows that you have done ${share} % of the course`;
+          const text = `a humanoid robot with twelve joints; its battery shows that you've completed ${share} % of the course`;
           greeter.take({battery: Number(share), text});
         });
       }
@@ -128,7 +128,7 @@
 
     async restore(exercise) {
       const reply = await this.ask('restore', {method: 'POST', body: JSON.stringify({exercise})});
-      this.said = reply.ok ? (await reply.json()).said : `That did not work: ${reply.statusText}.`;
+      this.said = reply.ok ? (await reply.json()).said : `Your best version wasn't restored: ${reply.statusText}.`;
       this.tag = '';
       await this.look();
     }
@@ -148,7 +148,7 @@
         if (!page || page.widget.isDisposed) {
           const widget = new Widget();
           Object.assign(widget, {id: 'workbook-home'});
-          Object.assign(widget.title, {label: 'Home', closable: true, caption: 'What you have read, predicted and solved'});
+          Object.assign(widget.title, {label: 'Home', closable: true, caption: 'Your progress: lessons read, predictions made, exercises solved'});
           page = new Page(app, ask, widget);
           const look = () => {
             page.look();
@@ -161,7 +161,7 @@
         }
         app.shell.activateById(page.widget.id);
       };
-      app.commands.addCommand(COMMAND, {label: 'Workbook Home', caption: 'The map of the course', execute: show});
+      app.commands.addCommand(COMMAND, {label: 'Workbook Home', caption: 'The course map', execute: show});
       if (palette) {
         palette.addItem({command: COMMAND, category: 'Workbook'});
       }

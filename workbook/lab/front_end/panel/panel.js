@@ -178,8 +178,8 @@
         this._stage.node.hidden = true;
         this._stage.reset();
         this._parts.hidden = true;
-        const none = this._notebook ? 'Its kernel is not running.' : 'Open a notebook to see its robot.';
-        this.say(this._kernel ? 'Looking for the domain of this notebook …' : none);
+        const none = this._notebook ? "This notebook's kernel isn't running." : 'Open a notebook to see its robot.';
+        this.say(this._kernel ? "Looking for this notebook's domain …" : none);
       }
 
       take(news) {
@@ -260,7 +260,7 @@
         this._echoPart.hidden = topic === null;
         this._echoTitle.textContent = topic === null ? '' : `Messages on ${topic}`;
         this._messages.setAttribute('aria-label', this._echoTitle.textContent);
-        this._messages.textContent = 'waiting for the next one …';
+        this._messages.textContent = 'waiting for the next message …';
         stream.send({echo: topic});
       }
 
@@ -304,7 +304,7 @@
     }
     app.commands.addCommand(TOGGLE, {
       label: TITLE,
-      caption: 'Show or hide the robot, the graph and the topics of this notebook',
+      caption: "Show or hide this notebook's robot, graph, and topics",
       icon,
       isToggled: () => panel.isVisible,
       execute: () => {

@@ -90,7 +90,7 @@
         button.classList.toggle('wb-other', outcome !== null && letter !== outcome && letter !== choice);
         button.lastChild.textContent = marks.join(', ');
       }
-      const hint = choice === null ? `Choose ${inWords(this.letters)}: click, or press the key.` : `Your prediction: ${choice}.`;
+      const hint = choice === null ? `Choose ${inWords(this.letters)}: click it, or press its key.` : `Your prediction: ${choice}.`;
       this.words.textContent = words || hint;
     }
 
@@ -115,11 +115,11 @@
   class Fold {
     constructor(heading, cells, open) {
       Object.assign(this, {heading, cells});
-      const button = element('button', '', 'Look now');
+      const button = element('button', '', 'Open now');
       button.type = 'button';
       button.addEventListener('click', open);
       button.addEventListener('keydown', event => event.key === 'Enter' && event.stopPropagation());
-      this.note = element('p', 'wb-fold-note', 'Unfolds when you have predicted and seen the outcome. ', button);
+      this.note = element('p', 'wb-fold-note', 'This section opens after you have made a prediction and seen the outcome. ', button);
       heading.node.classList.add('wb-folded');
       heading.node.append(this.note);
       cells.forEach(cell => cell.node.classList.add('wb-in-fold'));
@@ -257,13 +257,13 @@
       const {sessionContext} = this.panel;
       await sessionContext.ready;
       if (!sessionContext.session?.kernel) {
-        question.show({choice, outcome, words: 'Not noted, because no kernel runs. Restart it (⟳), then choose again.'});
+        question.show({choice, outcome, words: "Not saved, because the kernel isn't running. Restart it (⟳), and then choose again."});
         return;
       }
       const prediction = {name: question.name, choice: letter};
       const reply = await this.execute(question.cell, sessionContext, {workbook: {prediction}}).catch(() => null);
       if (reply?.content.status !== 'ok') {
-        question.show({choice, outcome, words: 'Not noted, because the kernel was interrupted. Choose again.'});
+        question.show({choice, outcome, words: 'Not saved, because the kernel was interrupted. Choose again.'});
       }
     }
 

@@ -9,12 +9,12 @@
   const BUTTON = name => `.jp-NotebookPanel:not(.lm-mod-hidden) [data-jp-item-name="${name}"]`;
   // Title, text, and selector of the element to frame as soon as it's on the page.
   const STEPS = [
-    ['Run a cell', 'Click into a gray cell and press Shift+Enter, or this button. A number in the brackets to its left shows that the cell has run.', BUTTON('run')],
+    ['Run a cell', 'Click into a gray cell and press Shift+Enter, or this button. A number in the brackets to the left of the cell shows that it has run.', BUTTON('run')],
     ['Stop a cell', 'A cell that is still running shows [*]. This button stops it. All variables keep their values.', BUTTON('interrupt')],
-    ['Restart', 'Does nothing make sense anymore? This button restarts Python and ends all robot programs of this notebook. Your text stays.', BUTTON('restart')],
-    ['A terminal', 'File > New > Terminal. Type “workbook topic list” there: it sees the robot of your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
+    ['Restart', "Does nothing make sense anymore? This button restarts Python and ends all of this notebook's robot programs. Your text is kept.", BUTTON('restart')],
+    ['A terminal', 'File > New > Terminal. Type “workbook topic list” there to list the topics of the robot in your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
     ['The robot panel', 'This button shows the robot, its nodes, and its topics next to the notebook, and keeps them in view while you read on.', BUTTON('robot-panel')],
-    ['Home', 'Help > Workbook Home shows what you have read, predicted, and solved, and takes you back to where you were. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
+    ['Home', 'Help > Workbook Home shows your progress and takes you back to where you left off. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
   ];
   const common = import(new URL('../../rclpy-workbook/static/common.js', document.currentScript.src));
   let shared = {};
