@@ -276,7 +276,7 @@ def easy_on_processor(recording: Recording) -> Verdict:
     if touches.processor > PROCESSOR_SHARE:
         return NOT_EASY.verdict(touches)
     unknown = math.isnan(touches.processor)
-    return see.passed("hardly any processor time" if unknown else f"{touches.processor:.0%} of a processor")
+    return see.passed("hardly any CPU time" if unknown else f"{touches.processor:.0%} of a processor")
 
 
 @criterion(points=1, title="The program is still running at the end", needs=[program_runs])

@@ -196,7 +196,7 @@ class Run:
         start, end = line.window or (0.0, self.end)
         moments = [start, *(t for t, _ in self.lines), end]
         self.gaps = [(last, next_t) for last, next_t in pairwise(moments) if next_t - last > LONGEST_GAP_S]
-        self.gap_times = [f"from {last:.1f} s to {next_t:.1f} s" for last, next_t in self.gaps]
+        self.gap_times = [f"from {last:.2f} s to {next_t:.2f} s" for last, next_t in self.gaps]
         lasts, raised = [last for last, _ in self.gaps], [t for t, on in self.alarms if on]
         self.stops_with_the_alarm = all(any(-EARLY_S <= t - last <= NEAR_S for t in raised) for last in lasts)
         begins = [one.began for one in self.silences]

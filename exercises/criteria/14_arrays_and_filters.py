@@ -506,7 +506,7 @@ def output_topic(recording: Recording) -> Verdict:
 @criterion(points=0, title="The node publishes answers", needs=[listens, output_topic])
 def answers_come(recording: Recording) -> Verdict:
     if recording.topic(FILTERED.name).arrivals:
-        return see.passed("answers come")
+        return see.passed("answers arrive")
     return SILENT.verdict(ANSWERS(recording))
 
 
@@ -515,7 +515,7 @@ def answers_come(recording: Recording) -> Verdict:
 )
 def labels_kept(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
-    told = f"{see.count(len(answers.came), 'answer')} with stamp, names and {len(JOINTS)} angles"
+    told = f"{see.count(len(answers.came), 'answer')} with stamp, names, and {len(JOINTS)} angles"
     return LABELS.first(answers) or see.passed(told)
 
 
@@ -533,7 +533,7 @@ def filters(recording: Recording) -> Verdict:
     return verdict or see.passed("the output differs from the input")
 
 
-@criterion(points=1, title="At most 55 % of the noise remains", needs=[filters])
+@criterion(points=1, title="At most 55 % of the noise is left", needs=[filters])
 def noise_reduced(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
     if answers.steady.is_calm and not answers.last.is_off:
@@ -548,18 +548,18 @@ def delay_bounded(recording: Recording) -> Verdict:
     return verdict or see.passed(f"{max(answers.forth.delay, 0.0):.2f} s behind")
 
 
-@criterion(points=1, title="The first answer is close to the joints' first angles", needs=[filters])
+@criterion(points=1, title="It begins at the joints' angles", needs=[filters])
 def begins_near(recording: Recording) -> Verdict:
     return begins(Start(recording, 0), BEGIN)
 
 
-@criterion(points=1, title="It notices the restart and begins again", needs=[filters])
+@criterion(points=1, title="It notices the restart and resets its state", needs=[filters])
 def restart_noticed(recording: Recording) -> Verdict:
     verdict = begins(Start(recording, 1), BEGIN_AGAIN)
     return begins(Start(recording, 2), BEGIN_AGAIN) if verdict.ok else verdict
 
 
-@criterion(points=1, title="A NaN affects no later answer", needs=[filters])
+@criterion(points=1, title="A NaN does no harm", needs=[filters])
 def survives_nan(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
     return AFTER_NAN.first(answers) or TOO_FEW["near"].first(answers.nan.section) or IS_NEAR
@@ -568,9 +568,9 @@ def survives_nan(recording: Recording) -> Verdict:
 def unclear(answers: Answers) -> Verdict | None:
     """Not judged, unless each answer has an angle for each joint, and it can be told which message it is for."""
     if any(len(answer.angles) != len(JOINTS) for answer in answers.placed):
-        return see.not_judged("some answers do not have an angle for each joint")
+        return see.not_judged("some answers don't have an angle for each joint")
     if any(answer.place is None for answer in answers.placed):
-        return see.not_judged("it cannot be told which message each answer is for")
+        return see.not_judged("the stamps don't show which message each answer is for")
     return None
 
 

@@ -212,7 +212,7 @@ class Direction:
         self.light, self.brick_m = scene.light, scene.boxes[0].at[0]  # the brick lies so far forward
         self.ball, self.width = images.balls.get(place, NOWHERE), images.widths.get(place, 0.0)
         self.off, self.length = vector.off_deg(self.ball), vector.length
-        self.away = f", {self.off:.1f}° away from it" if math.isfinite(self.off) else ""
+        self.away = f", {self.off:.2f}° away from it" if math.isfinite(self.off) else ""
         from_corner = CENTER + self.ball.pixel
         self.ball_from_the_corner = Vector(from_corner.real, from_corner.imag, FOCAL_PIXELS)
         self.is_zero, self.is_finite = self.length < LENGTH_SLACK, all(map(math.isfinite, vector))
@@ -420,7 +420,7 @@ STAMPS = WORDS.rules(
     ("no-ball-repeated", lambda f: f.repeats_without_ball),
     ("repeated", lambda f: f.repeated),
 )
-MIXED_UP = see.not_judged("the stamps do not tell which image each direction is for")
+MIXED_UP = see.not_judged("the stamps don't show which image each direction is for")
 KEEPS_UP = WORDS.seen("keeps-up.answered", Tracking)
 LATE = WORDS.rules(
     Tracking,
@@ -515,7 +515,7 @@ def topics(recording: Recording) -> Verdict:
 @criterion(points=0, title="The node publishes answers", needs=[topics])
 def answers_come(recording: Recording) -> Verdict:
     if recording.topic(DIRECTION.name).arrivals:
-        return see.passed("directions come")
+        return see.passed("directions arrive")
     nothing = NOTHING.verdict()
     return see.ended_or_error(recording, nothing.saw, nothing.expected) or nothing
 
@@ -554,9 +554,7 @@ def refuses_others(recording: Recording) -> Verdict:
     return see.failed_by_error(recording, *seen) or see.program_ended(recording, *seen) or silent
 
 
-@criterion(
-    points=2, title="In good light, an rgb8 image leads to the correct direction", needs=[answers_come]
-)
+@criterion(points=2, title="In good light, the direction for an rgb8 image is correct", needs=[answers_come])
 def direction_right(recording: Recording) -> Verdict:
     run = facts(recording)
     return judged(Directions(run, run.images.in_good_light))
@@ -606,7 +604,7 @@ def judged(some: Directions, suspected: see.Cause | None = None) -> Verdict:
         return TOO_FEW.verdict(some)
     if not some.wrong:
         farthest = max(0.05, *(one.off for one in some.known))
-        return see.passed(f"{len(some.known)} directions, each within {farthest:.1f}°")
+        return see.passed(f"{len(some.known)} directions, each within {farthest:.1f}° of the ball")
     verdict = WRONG.verdict(some)
     is_unclear = verdict.cause in UNCLEAR and len(some.wrong) >= MOST * len(some.known)
     return suspected.verdict(some) if suspected and is_unclear else verdict

@@ -543,7 +543,7 @@ WRONG_FALL = WORDS.rules(
     ("forgiven", lambda f: f.again_at < math.inf),
     about_time=["never", "waits-for-the-model", "late"],
 )
-NO_IMAGE = see.not_judged("the stamps don't tell which image each message is for")
+NO_IMAGE = see.not_judged("the stamps don't show which image each message is for")
 
 
 @criterion(
@@ -583,7 +583,7 @@ def heartbeat_kept(recording: Recording) -> Verdict:
 @criterion(points=0, title="Detections are published", needs=[camera_topics])
 def detections_come(recording: Recording) -> Verdict:
     facts = Watched(recording)
-    return see.passed("detections come") if facts.full else NO_DETECTIONS.verdict(facts)
+    return see.passed("detections arrive") if facts.full else NO_DETECTIONS.verdict(facts)
 
 
 @criterion(
@@ -599,7 +599,7 @@ def stamps_kept(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title=f"Detections are fresh: typically at most {TYPICALLY_S:g} s old, nine of ten {MOSTLY_S:g} s",
+    title=f"Detections are fresh: typically at most {TYPICALLY_S:g} s old, nine of ten at most {MOSTLY_S:g} s",
     needs=[detections_come],
 )
 def fresh(recording: Recording) -> Verdict:
@@ -642,7 +642,7 @@ def survives(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title=f"/robot/status becomes error on a fall: within {FALL_WITHIN_S:g} s, not before, and it stays",
+    title=f"/robot/status becomes error on a fall: within {FALL_WITHIN_S:g} s, not before, and it stays error",
     needs=[status_topics],
 )
 def fall_reported(recording: Recording) -> Verdict:
