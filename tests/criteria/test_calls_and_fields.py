@@ -85,7 +85,10 @@ def test_the_cause_and_the_line_are_named(cause: str, logs: dict[str, str]) -> N
 def test_a_value_is_named_with_its_field_and_what_it_takes(logs: dict[str, str]) -> None:
     error = find_error(logs["error.wrong-value-type"])
     assert error is not None
-    assert error.because == "The field 'data' of String takes string. It was given dict: {}."
+    assert (
+        error.because
+        == "The field 'data' of String has the type string. It was given a value of type dict: {}."
+    )
     assert "a string" in error.try_this
 
 

@@ -32,6 +32,14 @@ def test_another_period_is_told(period: float, seen: str) -> None:
     assert "create_timer(2.0" in verdict.try_this
 
 
+def test_a_wrong_mean_is_told_although_the_typical_interval_is_right() -> None:
+    times = [2.0, 4.0, 6.0, 8.0, 10.0, 12.9, 14.9, 17.8]
+    verdict = see.keeps_period(
+        recorded(on_topic(BATTERY.name, times=times, window=(0.0, 18.0)), clock="simulated"), BATTERY
+    )
+    assert verdict.saw == "on average 2.26 s from one message to the next"
+
+
 def test_counts_alone_would_let_it_pass() -> None:
     """Three messages at 0.4 Hz are only one less than the four at 0.5 Hz in 8 s."""
     recording = recorded(on_topic(BATTERY.name, times=every(2.5, 3), window=(0.0, 8.0)))

@@ -141,14 +141,14 @@ Humanoid()
         "builtin_callback",
         "from collections import deque; self.create_subscription(String, '/s', deque().append, 10)",
         "ValueError",
-        "Write the callback yourself",
+        "Wrap the method in your own function",
     ),
     in_node("no_depth", "self.create_publisher(String, '/robot/status')", "TypeError", "Add a depth"),
     in_node(
         "other_message",
         "self.create_publisher(Float32MultiArray, 'joints', 10).publish([0.0])",
         "TypeError",
-        "Make a message of the right class",
+        "Create a message of the publisher's type",
     ),
     in_node(
         "callback_without_a_message",
@@ -160,7 +160,7 @@ Humanoid()
         "message_callback_called",
         "self.create_subscription(String, '/s', Humanoid.tick(), 10)",
         "TypeError",
-        "self.on_battery, 10), without parentheses",
+        "without parentheses: self.on_timer",
     ),
     in_node("no_callback", "self.create_timer(1.0)", "TypeError", "create_timer(1.0, self.on_timer)"),
     Case(
@@ -184,7 +184,7 @@ Humanoid()
         ),
         "TypeError",
         None,
-        "For a timer: def on_timer(self)",
+        "For a timer, define on_timer(self)",
     ),
     in_node("no_message_class", "self.create_publisher(str, '/s', 10)", "AttributeError", "the class itself"),
     in_node(
@@ -193,7 +193,7 @@ Humanoid()
         "RCLError",
         "message type per topic name",
     ),
-    in_node("name_taken", "self.publishers = []", "AttributeError", "joint_pub"),
+    in_node("name_taken", "self.publishers = []", "AttributeError", "my_publishers"),
     in_node(
         "topic_name",
         "self.create_publisher(String, '/robot/joint-positions', 10)",
@@ -204,17 +204,22 @@ Humanoid()
         "text_in_floats",
         "Float32MultiArray(data=['0.1'])",
         "TypeError",
-        "float(level)",
+        "float(value)",
         check_fields=True,
     ),
-    in_node("text_in_float", "Float32(data='0.1')", "AssertionError", "float(level)", check_fields=True),
-    in_node("text_in_array", "Float32MultiArray(data=['0.1'])", "TypeError", "float(level)"),
+    in_node("text_in_float", "Float32(data='0.1')", "AssertionError", "float(value)", check_fields=True),
+    in_node("text_in_array", "Float32MultiArray(data=['0.1'])", "TypeError", "float(value)"),
     in_node(
-        "undefined", "self.pub = self.create_publisher(Joints, 'x', 10)", "NameError", "Import or define it"
+        "undefined",
+        "self.pub = self.create_publisher(Joints, 'x', 10)",
+        "NameError",
+        "Import or define the name",
     ),
     in_node("keyboard", "input('speed? ')", "EOFError", "input()"),
     in_node("own_error", "raise ValueError('joint 7 is loose')", "ValueError: joint 7 is loose", "bottom up"),
-    Case("node_name", HEAD + "rclpy.init()\nNode('my robot')\n", "InvalidNodeNameException", 5, "plain name"),
+    Case(
+        "node_name", HEAD + "rclpy.init()\nNode('my robot')\n", "InvalidNodeNameException", 5, "simple name"
+    ),
     Case(
         "callback_called",
         IN_NODE.format(body="self.create_timer(0.05, self.tick())"),
@@ -226,8 +231,8 @@ Humanoid()
     Case("no_name", HEAD + "from std_msgs.msg import Floaty\n", "ImportError", 4, "Check the spelling"),
     Case("subscript", HEAD + "x: Node[str]\n", "TypeError", 4, ""),
     Case("indentation", HEAD + "def main():\nrclpy.init()\n", "IndentationError", 5, "four spaces"),
-    Case("syntax", HEAD + "rclpy.init(\nx = = 1\n", "SyntaxError", None, "brackets, quotes, colons"),
-    Case("memory", "raise MemoryError\n", "MemoryError", 1, "grows without end"),
+    Case("syntax", HEAD + "rclpy.init(\nx = = 1\n", "SyntaxError", None, "brackets, quotes, and colons"),
+    Case("memory", "raise MemoryError\n", "MemoryError", 1, "never stops growing"),
     Case("disk_full", "import os\nraise OSError(28, os.strerror(28))\n", "OSError", 2, "Write less"),
     Case("large_file", "import os\nraise OSError(27, os.strerror(27))\n", "OSError", 2, "Write less"),
     Case(
@@ -255,14 +260,14 @@ Humanoid()
         "from geometry_msgs.msg import Twist\n",
         "ModuleNotFoundError",
         5,
-        "like a package",
+        "Rename that file",
     ),
     Case(
         "in_a_thread",
         "import threading\ndef work():\n    missing_name\nt = threading.Thread(target=work)\nt.start()\nt.join()\n",
         "NameError",
         3,
-        "Import or define it",
+        "Import or define the name",
     ),
     Case(
         "while_handling",

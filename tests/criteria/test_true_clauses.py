@@ -99,7 +99,7 @@ def test_what_went_on_or_stopped_as_well_did_so(stem: str, seed: int) -> None:
             else:
                 begin = float(silence[2])
                 assert any(begin < t < begin + float(silence[1]) for t in times), result.saw
-        last = re.search(r"came at ([\d.]+) s, then nothing", result.saw)
+        last = re.search(r"arrived at ([\d.]+) s, then nothing", result.saw)
         for found in NOTHING_EITHER.findall(result.saw):
             late = [one.t for name in names(found) for one in recording.topic(name).arrivals]
             assert last is None or not any(t > float(last[1]) + 0.051 for t in late), result.saw

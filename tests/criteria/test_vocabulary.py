@@ -95,7 +95,7 @@ def test_a_publisher_on_the_graph_is_a_program_that_runs() -> None:
         ),
         (replace(LIVING, limits_hit=("output",)), False, ("50 MB", "endless loop")),
         (replace(LIVING, limits_hit=("memory",)), False, ("2.5 GB", "stopped")),
-        (replace(LIVING, limits_hit=("files",)), False, ("20 000 files", "stopped")),
+        (replace(LIVING, limits_hit=("files",)), False, ("20,000 files", "stopped")),
         (replace(LIVING, domains_used=(17,)), False, ("can be found", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
         (replace(LIVING, domains_used=(17, 42)), False, ("can be found", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
         (LIVING, True, ("/humanoid", "no publisher at all", "create_publisher")),
@@ -249,7 +249,7 @@ def test_exits_cleanly() -> None:
     refuses(
         see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))),
         "in the middle of a spin or a shutdown",
-        "starts it again",
+        "starts your program again",
     )
     interrupted = (
         'Traceback (most recent call last):\n  File "/answers/answer.py", line 7\nKeyboardInterrupt\n\n'
@@ -367,9 +367,9 @@ def test_rate_accepts_its_whole_tolerance() -> None:
     [
         (every(0.5, 27), ("2 Hz", "0.5 s", "27 messages", "Period and frequency are swapped")),
         (every(0.2, 70), ("5 Hz", "too fast by a factor of 10")),
-        (every(4.0, 3), ("0.25 Hz", "3 messages", "Too slow")),
-        ([1.0, 5.0, 9.0], ("0.25 Hz", "3 messages", "Too slow")),
-        (every(2.9, 4), ("0.34 Hz", "Too slow", "create_timer(2.0, ...)")),
+        (every(4.0, 3), ("0.25 Hz", "3 messages", "too low")),
+        ([1.0, 5.0, 9.0], ("0.25 Hz", "3 messages", "too low")),
+        (every(2.9, 4), ("0.34 Hz", "too low", "create_timer(2.0, ...)")),
         ([2.0], ("a single message in 14.0 s", "published once")),
         ([2.0, 2.0], ("2 messages at one moment",)),
         (sorted(EVEN * 2), ("messages arrive in pairs", "Two timers")),
@@ -448,9 +448,14 @@ def test_length() -> None:
         "every message has 11 values",
         "off-by-one",
     )
-    refuses(see.length(joints([0.0] * 12, [0.0] * 13), JOINTS, 12), "1 of 2 messages have 13 values")
+    refuses(see.length(joints([0.0] * 12, [0.0] * 13), JOINTS, 12), "1 of 2 messages has 13 values")
     refuses(see.length(joints([], [0.0] * 12), JOINTS, 12), "0 values", "before its data was set")
-    refuses(see.length(joints([0.0] * 24, [0.0] * 36), JOINTS, 12), "24 and 36", "grows with every message")
+    refuses(
+        see.length(joints([0.0] * 24, [0.0] * 36), JOINTS, 12),
+        "the messages have 24 and 36 values",
+        "grows with every message",
+    )
+    refuses(see.length(joints([0.0], [0.0]), JOINTS, 12), "every message has 1 value")
     refuses(see.length(joints({"length": 9000, "first": [0.0] * 4096}), JOINTS, 12), "9000")
 
 

@@ -27,13 +27,21 @@ def test_a_subscription_may_ask_for_less_than_is_offered(asked: SubscriberSeen) 
 @pytest.mark.parametrize(
     ("asked", "words", "step"),
     [
-        (replace(ASKED, reliability="reliable"), "requests reliable, but best effort", "BEST_EFFORT"),
+        (
+            replace(ASKED, reliability="reliable"),
+            "reliable, but the publisher offers only best effort",
+            "BEST_EFFORT",
+        ),
         (
             replace(ASKED, durability="transient_local"),
-            "transient local, but volatile",
+            "transient local, but the publisher offers only volatile",
             "Leave durability out",
         ),
-        (replace(ASKED, deadline=0.4), "deadline of 0.4 s, but only 0.5 s", "0.5 s or longer"),
+        (
+            replace(ASKED, deadline=0.4),
+            "deadline of 0.4 s, but the publisher offers only 0.5 s",
+            "0.5 s or longer",
+        ),
         (replace(ASKED, type=BOOL), "for Bool", "Import String"),
     ],
 )
@@ -47,7 +55,7 @@ def test_asking_for_more_is_told_with_the_policy(asked: SubscriberSeen, words: s
 
 def test_a_deadline_that_nobody_offers_is_told() -> None:
     verdict = see.hears(listening(replace(ASKED, deadline=2.0)), see.publish(BEAT, String, []))
-    assert "requests a deadline of 2 s, but none is offered" in verdict.saw
+    assert "requests a deadline of 2 s, but the publisher offers none" in verdict.saw
     assert "no deadline" in verdict.expected
 
 
@@ -65,7 +73,7 @@ def test_nobody_listens() -> None:
     [
         ("reliable", "transient_local", ""),
         ("reliable", "volatile", "is offered as volatile"),
-        ("best_effort", "transient_local", "but best effort"),
+        ("best_effort", "transient_local", "but as best effort"),
     ],
 )
 def test_a_message_is_kept_by_a_reliable_transient_local_publisher(

@@ -16,13 +16,13 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.mark.parametrize(
     ("limit", "value"),
-    [("processes", "64 processes"), ("memory", "2.5 GB"), ("files", "20 000 files"), ("output", "50 MB")],
+    [("processes", "64 processes"), ("memory", "2.5 GB"), ("files", "20,000 files"), ("output", "50 MB")],
 )
 def test_what_a_student_reads_is_what_is_enforced(limit: str, value: str) -> None:
     told = stops._STOPS[limit].verdict(begin="", end="", expected="", **stops._LIMITS)
     assert value in told.saw
     enforced = getattr(ANSWER_LIMITS, limit)
-    number = float(value.rpartition(" ")[0].replace(" ", "")) * {"GB": 1000 * MB, "MB": MB}.get(value[-2:], 1)
+    number = float(value.rpartition(" ")[0].replace(",", "")) * {"GB": 1000 * MB, "MB": MB}.get(value[-2:], 1)
     assert number == enforced
 
 

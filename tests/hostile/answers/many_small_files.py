@@ -1,5 +1,5 @@
 # score: 0
-# says: more than 20 000 files
+# says: more than 20,000 files
 # limits: files
 """Empty files without end: they take no space, and yet memory."""
 import itertools

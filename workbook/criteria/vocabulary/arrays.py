@@ -39,12 +39,17 @@ class _Lengths:
 
     @property
     def how_many(self) -> str:
-        some = f"{len(self.wrong)} of {len(self.all)} messages have"
-        return "every message has" if len(self.wrong) == len(self.all) else some
+        wrong, several = len(self.wrong), len(set(self.wrong)) > 1
+        if wrong == len(self.all):
+            return "the messages have" if several else "every message has"
+        return f"{wrong} of {len(self.all)} messages {'has' if wrong == 1 else 'have'}"
 
     @property
     def lengths(self) -> str:
-        return listing([str(n) for n in sorted(set(self.wrong))])
+        different = sorted(set(self.wrong))
+        if len(different) == 1:
+            return count(different[0], self.what)
+        return f"{listing([str(n) for n in different])} {self.what}s"
 
     @property
     def exactly(self) -> str:

@@ -195,6 +195,13 @@ class _Rhythm:
         return f"too fast by a factor of {factor}" if self.can_tell else "far too fast"
 
     @property
+    def usual_interval(self) -> str:
+        """The typical interval, or the mean interval if only that is wrong."""
+        typical, hz = self.seen.typical_interval or 0.0, self.seen.hz
+        is_typical = abs(typical - self.topic.period) <= INTERVAL_TOLERANCE * self.topic.period
+        return f"on average {1 / hz:.3g} s" if is_typical and hz else f"typically {typical:.3g} s"
+
+    @property
     def wanted(self) -> int:
         """How many messages are due in the time watched."""
         return round(self.watched_s * self.wanted_hz)

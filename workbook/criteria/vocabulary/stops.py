@@ -16,7 +16,7 @@ _LIMITS: dict[str, Any] = {
     "queued_mb": (ANSWER_LIMITS.queued or 0) // MB,
     "stored_mb": (ANSWER_LIMITS.stored or 0) // MB,
     "kernel_mb": (ANSWER_LIMITS.kernel or 0) // MB,
-    "files": f"{ANSWER_LIMITS.files:,}".replace(",", " "),
+    "files": f"{ANSWER_LIMITS.files:,}",
 }
 _STOPS = {
     limit: WORDS.cause(f"stopped.{limit}", ("begin", "end", "expected", *_LIMITS))
