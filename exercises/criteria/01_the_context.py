@@ -94,12 +94,12 @@ NODE_LEFT = WORDS.cause("node-gone.killed", ("saw", "expected"))
 def program_runs(recording: Recording) -> Verdict:
     process = recording.process
     if process.ended_by == "itself" and process.exit == 0:
-        return see.passed("it ran to its end")
+        return see.passed("it ran and ended with exit code 0")
     is_up = recording.nodes and process.ended_by != "itself"
     return see.passed("it runs") if is_up else see.program_runs(recording)
 
 
-@criterion(points=1, title="The program runs until it is asked to end", needs=[program_runs])
+@criterion(points=1, title="The program runs until it is told to end", needs=[program_runs])
 def runs_until_told(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
 
@@ -119,7 +119,7 @@ def guard_on_the_graph(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title="The arms are parked after Ctrl-C, not earlier",
+    title="The arms are parked after Ctrl-C, and not before",
     needs=[runs_until_told],
     about_end=True,
 )

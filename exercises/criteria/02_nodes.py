@@ -18,7 +18,7 @@ FAULTS = topic("/robot/faults", String)  # of two nodes, so it is no topic with 
 REPORTS_HZ = 1.0  # of each camera
 TWICE = 1.6  # of a rate: nearer to two times than to one
 SLOW_HZ = 1.6  # 20 % below the rate of the images; the task names it
-AS_DELIVERED = "Leave the driver as it was delivered, and remap __node only."
+AS_DELIVERED = "Restore the driver as it was delivered, and remap only __node."
 LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 
@@ -197,7 +197,7 @@ def rear_pictures(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=1, title="Both cameras report on /robot/faults, once a second", needs=[front_node, rear_node]
+    points=1, title="Both cameras report on /robot/faults, each once a second", needs=[front_node, rear_node]
 )
 def shared_faults(recording: Recording) -> Verdict:
     topic = FaultsTopic(recording)
@@ -211,7 +211,7 @@ def shared_faults(recording: Recording) -> Verdict:
         verdict = reports_of(camera)
         if not verdict.ok:
             return verdict
-    return see.passed("both cameras report their faults once a second")
+    return see.passed("each camera reports its faults once a second")
 
 
 @criterion(points=2, title="There is no other node", needs=[program_runs])

@@ -340,7 +340,7 @@ UNCALLED = WORDS.cause("floats-arrive.uncalled", Calls)
 INVENTED_ZERO = WORDS.rules(Calls, "no-invented-zero", ("sent", lambda f: f.invented))
 
 
-@criterion(points=0, title="BatteryPublisher() can be created, and every call returns", needs=[program_runs])
+@criterion(points=0, title="BatteryPublisher() can be created, and every call ends", needs=[program_runs])
 def calls_come_back(recording: Recording) -> Verdict:
     facts = calls(recording)
     if not facts.trouble and facts.requested and (facts.not_requested or facts.too_few):
@@ -356,7 +356,7 @@ def battery_topic(recording: Recording) -> Verdict:
     return see.publishes(silent, BATTERY)
 
 
-@criterion(points=0, title="A number passed to it is published", needs=[battery_topic])
+@criterion(points=0, title="publish_level publishes numbers", needs=[battery_topic])
 def sends(recording: Recording) -> Verdict:
     numbers = calls(recording).numbers
     if any(call.sent or call.later for call in numbers):
@@ -372,19 +372,19 @@ def floats_arrive(recording: Recording) -> Verdict:
     return UNCALLED.verdict(facts) if verdict.ok and facts.early else verdict
 
 
-@criterion(points=1, title="0.0 arrives when the battery is really empty", needs=[sends])
+@criterion(points=1, title="0.0 arrives if the battery is really empty", needs=[sends])
 def zero_arrives(recording: Recording) -> Verdict:
     return all_right(recording, EMPTY, "0.0 arrived as 0.0")
 
 
-@criterion(points=2, title="Other numbers arrive, too: int and NumPy's", needs=[sends])
+@criterion(points=2, title="Other numbers arrive, too: ints and NumPy numbers", needs=[sends])
 def numbers_arrive(recording: Recording) -> Verdict:
-    return all_right(recording, OTHER_NUMBER, "ints and NumPy numbers arrived with the right value")
+    return all_right(recording, OTHER_NUMBER, "ints and NumPy numbers arrived with the right values")
 
 
 @criterion(points=1, title="None, strings, a list, and a tuple are rejected with an error", needs=[sends])
 def no_number_refused(recording: Recording) -> Verdict:
-    return all_right(recording, NO_NUMBER, "None, words, a list, and a tuple raised an error")
+    return all_right(recording, NO_NUMBER, "None, words, lists, and a tuple raised an error")
 
 
 @criterion(points=1, title="True and '50' are rejected, although float() accepts them", needs=[sends])
@@ -397,7 +397,7 @@ def not_finite_refused(recording: Recording) -> Verdict:
     return all_right(recording, NOT_FINITE, "nan, inf, and -inf raised an error")
 
 
-@criterion(points=1, title="No 0.0 is sent by mistake", needs=[sends])
+@criterion(points=1, title="No 0.0 is published by mistake", needs=[sends])
 def no_invented_zero(recording: Recording) -> Verdict:
     well = see.passed("0.0 was published only for an empty battery")
     return INVENTED_ZERO.first(calls(recording)) or well

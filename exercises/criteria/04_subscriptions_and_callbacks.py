@@ -440,7 +440,7 @@ OTHER_REPORTED = WORDS.seen("own-robot-only.reported", Alarms)
 HEARS_OTHERS = WORDS.cause("own-robot-only.hears-others", ("saw",))
 
 
-@criterion(points=1, title="It subscribes to /robot/battery, type Float32", needs=[program_runs])
+@criterion(points=1, title="It subscribes to /robot/battery, with the type Float32", needs=[program_runs])
 def listens(recording: Recording) -> Verdict:
     return see.listens(recording, topic(BATTERY, Float32))
 
@@ -454,7 +454,7 @@ def battery_topic(recording: Recording) -> Verdict:
 @criterion(points=0, title="It forwards readings", needs=[listens, battery_topic])
 def passes_on(recording: Recording) -> Verdict:
     if see.values(recording, FORWARDED):
-        return see.passed("readings come")
+        return see.passed("readings arrive")
     return NOTHING_FORWARDED.verdict(forwarded(recording))
 
 
@@ -467,9 +467,9 @@ def in_order(recording: Recording) -> Verdict:
     return TOO_MANY.first(facts) or TOO_FEW.first(facts) or LATE.first(facts) or well
 
 
-@criterion(points=1, title="No bad reading is forwarded, nor anything instead of it", needs=[passes_on])
+@criterion(points=1, title="No bad reading is forwarded, nor anything in its place", needs=[passes_on])
 def bad_kept_back(recording: Recording) -> Verdict:
-    well = see.passed("no bad reading was forwarded, nor anything instead of it")
+    well = see.passed("no bad reading was forwarded, nor anything in its place")
     return BAD_FORWARDED.first(forwarded(recording)) or well
 
 
@@ -482,7 +482,7 @@ def alarm_topic(recording: Recording) -> Verdict:
 def alarms_come(recording: Recording) -> Verdict:
     facts = alarms(recording)
     if facts.all:
-        return see.passed("alarms come")
+        return see.passed("alarms arrive")
     saw, expected = NO_ALARM()
     if facts.made_late:
         return ALARM_MADE_LATE.verdict(saw=saw)
@@ -510,7 +510,7 @@ def one_alarm(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="No alarm for good readings", needs=[alarms_come])
 def no_false_alarm(recording: Recording) -> Verdict:
-    return FALSE_ALARM.first(alarms(recording)) or see.passed("none")
+    return FALSE_ALARM.first(alarms(recording)) or see.passed("no alarm for a good reading")
 
 
 @criterion(points=1, title="It ignores /other_robot/battery", needs=[passes_on])

@@ -396,6 +396,6 @@ def in_time(call: Call) -> Verdict:
     """The call took as long as asked."""
     lost = NOT_MADE.first(call)
     if lost is None and not call.is_back and call.late < call.extra + LATE_S:
-        return see.passed("the judge stopped watching before its time was up")
+        return see.passed("the judge stopped watching before the call's time was up")
     well = see.passed(f"called with {call.asked} s, took {call.took:.2f} s")
     return lost or IN_TIME.first(call) or well

@@ -418,13 +418,15 @@ def right_use(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=2, title="mypy objects when a publisher gets a message of the wrong type", needs=[right_use]
+    points=2, title="mypy objects if a publisher is passed a message of the wrong type", needs=[right_use]
 )
 def wrong_message_found(recording: Recording) -> Verdict:
     return see.mypy_objects(recording, WRONG_MESSAGE, TAKES_ANY)
 
 
-@criterion(points=1, title="mypy objects to a wrong value and to a misspelled word", needs=[right_use])
+@criterion(
+    points=1, title="mypy objects to a wrong value, any other word, and a missing value", needs=[right_use]
+)
 def wrong_value_found(recording: Recording) -> Verdict:
     return see.all_of(
         see.mypy_objects(recording, WRONG_VALUE, TOO_WIDE), see.mypy_objects(recording, NO_VALUE, DEFAULT)
@@ -441,13 +443,13 @@ def numbers_arrive(recording: Recording) -> Verdict:
     if not use.made:
         return NEVER_CALLED.verdict()
     found = (NUMBERS.first(NumberCall(use, call)) for call in use.numbers)
-    well = f"{see.count(len(use.numbers), 'number')} arrived, 0.0 as 0.0, and one twice for two calls"
+    well = f"{see.count(len(use.numbers), 'number')} arrived, including 0.0 and a repeated number"
     return next(filter(None, found), see.passed(well))
 
 
 @criterion(
     points=2,
-    title="At run time, too, a wrong value or message raises an exception, without a message",
+    title="At run time, too, a wrong value or message raises an exception and isn't published",
     needs=[program_runs],
 )
 def refuses_wrong_types(recording: Recording) -> Verdict:
@@ -463,14 +465,14 @@ def refuses_wrong_types(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="At run time, too, the two words are published, and any other raises an exception",
+    title="At run time, too, the two words are published, and any other word raises an exception",
     needs=[program_runs],
 )
 def refuses_wrong_words(recording: Recording) -> Verdict:
     use = facts(recording)
     if not use.made:
         return NEVER_CALLED.verdict()
-    good = GOOD_WORD_LOST.first(use) or see.passed(f"{GOOD_WORD} sends it")
+    good = GOOD_WORD_LOST.first(use) or see.passed(f"{GOOD_WORD} publishes it")
     return see.all_of(refused(wrong_words(use), WORD_ACCEPTED), good)
 
 

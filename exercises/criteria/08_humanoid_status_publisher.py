@@ -47,7 +47,7 @@ def status_kept(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="The program runs until it is asked to end", needs=[program_runs])
+@criterion(points=1, title="The program runs until it is told to end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     verdict = see.alive_at_end(recording)
     levels = [level for level in see.values(recording, BATTERY) if isinstance(level, float)]

@@ -39,7 +39,7 @@ def test_01_a_thread_that_spins_raises() -> None:
     log = 'Exception in thread Thread-1:\nTraceback (most recent call last):\n  File "/rclpy/executors.py", line 701\n'
     process = replace(LIVING, end_log=f"arms parked\n{log}")
     verdict = judged("01_the_context", "ends_cleanly", recorded(process=process))
-    refused_for("ends-cleanly.thread-raised", verdict, "a thread's traceback")
+    refused_for("ends-cleanly.thread-raised", verdict, "a traceback from a thread")
 
 
 def test_01_an_error_of_its_own_in_a_thread_is_not_blamed_on_spin() -> None:
@@ -156,7 +156,7 @@ def test_11_a_program_that_ends_in_a_pause_without_touches() -> None:
 def test_02_faults_in_another_namespace() -> None:
     faults = TopicRecording("/camera/faults", (publisher(TEXT, "/robot/camera"),))
     verdict = judged("02_nodes", "shared_faults", recorded(faults))
-    refused_for("shared-faults.other-name", verdict, "some node reports on /camera/faults")
+    refused_for("shared-faults.other-name", verdict, "other publishers are on /camera/faults")
 
 
 def test_03_a_float_raises() -> None:
