@@ -1,4 +1,4 @@
-"""A robot with two timers and an ear: its heart beats, it looks around, and it repeats each word that it hears.
+"""Simulate a robot that publishes a heartbeat, looks around, and repeats each word that it receives.
 
 Run it with ``python -m lesson_nodes.attentive_robot`` and end it with Ctrl-C.
 """
@@ -15,20 +15,20 @@ LOOK_PERIOD_S = 2.1
 
 
 class AttentiveRobot(Node):
-    """Beats, looks around and listens; tells each thing that it does, and remembers it.
+    """Publishes and records an entry for each callback that runs: a heartbeat, a look around, or a received word.
 
     Topics:
         /robot/done (std_msgs/String): "beat", "look", or "heard " and the word.
 
     Subscriptions:
-        /robot/words (std_msgs/String): what is said to the robot.
+        /robot/words (std_msgs/String): words for the robot to repeat.
 
     Parameters:
         beat_period_s (float): Time between two heartbeats, in seconds.
         look_period_s (float): Time between two looks around, in seconds.
 
     Attributes:
-        done: What it has done so far, one entry for each callback that ran.
+        done: The entries published so far, one for each callback that ran.
 
     Raises:
         ValueError: A period is not a positive number.
@@ -50,25 +50,25 @@ class AttentiveRobot(Node):
         self.create_subscription(String, "/robot/words", self.on_word, 10)
 
     def beat(self) -> None:
-        """The heart beats once."""
+        """Publish a heartbeat."""
         self.tell("beat")
 
     def look_around(self) -> None:
-        """Turn the head once."""
+        """Simulate one look around."""
         self.tell("look")
 
     def on_word(self, message: String) -> None:
-        """Repeat a word."""
+        """Repeat a received word."""
         self.tell(f"heard {message.data}")
 
     def tell(self, deed: str) -> None:
-        """Remember what was done, and say so."""
+        """Record an action, and publish it."""
         self.done.append(deed)
         self.done_publisher.publish(String(data=deed))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(AttentiveRobot())

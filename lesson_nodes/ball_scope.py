@@ -1,4 +1,4 @@
-"""Keeps the last pictures of a camera, and the directions that somebody publishes for them.
+"""Record a camera's latest images, and the ball directions that another node publishes for them.
 
 Run it with ``python -m lesson_nodes.ball_scope`` and end it with Ctrl-C.
 """
@@ -20,16 +20,16 @@ FILM_EVERY, FILM_LENGTH = 5, 60
 
 
 class BallScope(Node):
-    """Listens to a camera and to a tracker.
+    """Records a camera's images and a tracker's directions.
 
     Subscriptions:
-        /camera/image (sensor_msgs/Image): pictures, rgb8.
-        /robot/ball_direction (geometry_msgs/Vector3Stamped): where the ball is; (0, 0, 0) for no ball.
+        /camera/image (sensor_msgs/Image): images, rgb8.
+        /robot/ball_direction (geometry_msgs/Vector3Stamped): direction of the ball; (0, 0, 0) if there is none.
 
     Attributes:
-        pictures: Pairs of a stamp (s) and a picture, RGB. Only the last ones are kept.
-        film: Every fifth picture, RGB, up to 60 of them.
-        directions: Pairs of a stamp (s) and a direction, all of them.
+        pictures: The latest 30 images, as pairs of a stamp (s) and an RGB array.
+        film: Every fifth image as an RGB array, at most 60 of them.
+        directions: All directions, as pairs of a stamp (s) and a vector (x, y, z).
     """
 
     def __init__(self) -> None:
@@ -42,7 +42,7 @@ class BallScope(Node):
         self.create_subscription(Vector3Stamped, "/robot/ball_direction", self.on_direction, 50)
 
     def on_image(self, image: Image) -> None:
-        """Keep a picture."""
+        """Store an image, and add every fifth one to the film."""
         rows = np.array(image.data, dtype=np.uint8).reshape(image.height, image.step)
         picture = rows[:, : 3 * image.width].reshape(image.height, image.width, 3)
         stamp = image.header.stamp
@@ -52,13 +52,13 @@ class BallScope(Node):
         self.count += 1
 
     def on_direction(self, message: Vector3Stamped) -> None:
-        """Write down a direction."""
+        """Record a direction."""
         stamp, vector = message.header.stamp, message.vector
         self.directions.append((stamp.sec + stamp.nanosec / 1e9, (vector.x, vector.y, vector.z)))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BallScope())

@@ -1,4 +1,4 @@
-"""A battery report as a class: the node itself remembers.
+"""Report a battery's charge with a class: the node's attributes hold the state.
 
 Run it with ``python -m lesson_nodes.battery_class`` and end it with Ctrl-C.
 """
@@ -12,7 +12,7 @@ PERIOD_S = 2.0
 
 
 class BatteryReport(Node):
-    """Reports a simulated battery.
+    """Publishes a simulated battery's charge.
 
     Topics:
         /robot/battery (std_msgs/Float32), 0.5 Hz: charge in percent.
@@ -25,13 +25,13 @@ class BatteryReport(Node):
         self.create_timer(PERIOD_S, self.send)
 
     def send(self) -> None:
-        """Drain the simulated battery a little and report what is left."""
+        """Drain the simulated battery a little, and publish the remaining charge."""
         self.level = max(0.0, self.level - 0.5)
         self.publisher.publish(Float32(data=self.level))
 
 
 def main() -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init()
     try:
         rclpy.spin(BatteryReport())

@@ -1,4 +1,4 @@
-"""A battery report as a closure: an inner function remembers the names of the outer one.
+"""Report a battery's charge with a closure: an inner function uses the outer function's variables.
 
 Run it with ``python -m lesson_nodes.battery_closure`` and end it with Ctrl-C. It publishes the charge in percent on
 /robot/battery (std_msgs/Float32), every two seconds.
@@ -12,7 +12,7 @@ PERIOD_S = 2.0
 
 
 def main() -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init()
     node = rclpy.create_node("battery_closure")
     publisher = node.create_publisher(Float32, "/robot/battery", 10)

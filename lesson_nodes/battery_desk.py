@@ -1,6 +1,6 @@
-"""Plays a battery with a bad cable to a monitor, and writes down what the monitor makes of each reading.
+"""Simulate a battery sensor with a bad cable, and record how a battery monitor handles each reading.
 
-Run it with ``python -m lesson_nodes.battery_desk`` beside a battery monitor, and end it with Ctrl-C.
+Run it with ``python -m lesson_nodes.battery_desk`` while a battery monitor is running, and end it with Ctrl-C.
 """
 
 import math
@@ -18,17 +18,17 @@ OWN, OTHER = "/robot/battery", "/other_robot/battery"
 
 
 class BatteryDesk(Node):
-    """Says one reading after the other, now and then one of another robot, and listens to the monitor.
+    """Publishes its readings, then two readings from another robot, and records the monitor's messages.
 
     Topics:
         /robot/battery (std_msgs/Float32), published: charge in percent.
-        /other_robot/battery (std_msgs/Float32), published: charge of another robot in percent.
-        /monitor/battery (std_msgs/Float32), heard: what the monitor passes on.
-        /monitor/alarm (std_msgs/String), heard: what it finds wrong.
+        /other_robot/battery (std_msgs/Float32), published: another robot's charge in percent.
+        /monitor/battery (std_msgs/Float32), received: the readings that the monitor passes on.
+        /monitor/alarm (std_msgs/String), received: the monitor's alarms.
 
     Attributes:
-        rows: For each reading the topic, the reading, and what the monitor said before the next one.
-        done: Whether all readings are said and there was time to answer the last one.
+        rows: For each reading, its topic, its value (percent), and the monitor's messages before the next reading.
+        done: Whether the monitor has had time to react to the last reading, or no monitor was found.
     """
 
     def __init__(self, readings: Sequence[float] = READINGS) -> None:
@@ -43,7 +43,7 @@ class BatteryDesk(Node):
         self.create_timer(PERIOD_S, self.say_next)
 
     def say_next(self) -> None:
-        """Say the next reading, once somebody listens; if nobody does for three seconds, give up."""
+        """Publish the next reading. Before the first one, wait for a subscription, but give up after 3 s."""
         self.ticks += 1
         if not self.rows and self.publishers_of[OWN].get_subscription_count() == 0:
             self.done = self.ticks >= PATIENCE_TICKS
@@ -56,20 +56,20 @@ class BatteryDesk(Node):
         self.publishers_of[topic].publish(Float32(data=reading))
 
     def on_battery(self, message: Float32) -> None:
-        """Write down what was passed on."""
+        """Record a reading that the monitor passed on."""
         self.note(f"passed on {message.data:g}")
 
     def on_alarm(self, message: String) -> None:
-        """Write down what the alarm says."""
+        """Record an alarm."""
         self.note(f'alarm "{message.data}"')
 
     def note(self, words: str) -> None:
-        """Put something down to the reading that was said last."""
+        """Add an entry to the row of the latest reading."""
         if self.rows:
             self.rows[-1][2].append(words)
 
     def table(self) -> str:
-        """The readings as lines of text, with what the monitor made of them."""
+        """Return a table of the readings and the monitor's messages, one line per reading."""
         if not self.rows:
             return f"Nobody listens to {OWN}."
         lines = [
@@ -79,7 +79,7 @@ class BatteryDesk(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the desk until all is said or Ctrl-C comes, print the table, and leave with exit code 0."""
+    """Run the desk until it's done, and print the table. On Ctrl-C or SIGTERM, exit early with code 0."""
     rclpy.init(args=args)
     desk = BatteryDesk()
     desk.get_logger().info("Battery desk started")

@@ -1,7 +1,7 @@
-"""Publishes battery levels of many Python types, one after the other, to see what arrives.
+"""Publish battery levels of various Python types, one after another, to show which values arrive.
 
-Run it with ``python -m lesson_nodes.battery_levels`` and end it with Ctrl-C. Choose the levels with
-``--ros-args -p "levels:=['80.0', '80']"``: keys of GIVEN.
+Run it with ``python -m lesson_nodes.battery_levels`` and end it with Ctrl-C. Choose keys of GIVEN with
+``--ros-args -p "levels:=['80.0', '80']"``.
 """
 
 import numpy as np
@@ -28,17 +28,17 @@ GIVEN: dict[str, object] = {
     "16777217.0": 16777217.0,
     "1e40": 1e40,
 }
-"""What is put into the message, by the Python text that makes it."""
+"""The values to publish, each under its Python expression."""
 
 
 class BatteryLevels(Node):
-    """Reports each of the levels once, without a look at its type.
+    """Publishes each level once, without checking its type.
 
     Topics:
-        /robot/battery (std_msgs/Float32): the charge in percent.
+        /robot/battery (std_msgs/Float32): charge in percent.
 
     Parameters:
-        levels (list of str): Which levels, by their Python text.
+        levels (list of str): The levels to publish, as keys of GIVEN.
 
     Raises:
         KeyError: A level is not in GIVEN.
@@ -55,11 +55,11 @@ class BatteryLevels(Node):
         """Publish the next level, if there is one."""
         if self.levels:
             level = self.levels.pop(0)
-            self.publisher.publish(Float32(data=level))  # type: ignore[arg-type]  # what this is about
+            self.publisher.publish(Float32(data=level))  # type: ignore[arg-type]  # a wrong type, on purpose
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BatteryLevels())

@@ -1,4 +1,4 @@
-"""A battery report as a script: what it needs are names of the module.
+"""Report a battery's charge with a script: the state is in global variables.
 
 Run it with ``python -m lesson_nodes.battery_script`` and end it with Ctrl-C. It publishes the charge in percent on
 /robot/battery (std_msgs/Float32), every two seconds.
@@ -14,7 +14,7 @@ level = 100.0
 
 
 def send() -> None:
-    """Drain the simulated battery a little and report what is left."""
+    """Drain the simulated battery a little, and publish the remaining charge."""
     global level
     level = max(0.0, level - 0.5)
     publisher.publish(Float32(data=level))

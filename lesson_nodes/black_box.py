@@ -1,4 +1,4 @@
-"""The black box of a robot: it listens to the distance sensor and says how many messages it has kept.
+"""Simulate a robot's black box: store each message from the distance sensor, and publish their number.
 
 Run it with ``python -m lesson_nodes.black_box`` and end it with Ctrl-C.
 """
@@ -12,16 +12,16 @@ REPORT_PERIOD_S = 0.2
 
 
 class BlackBox(Node):
-    """Keeps every distance that is measured.
+    """Stores every distance that it receives.
 
     Subscriptions:
         /robot/distance (std_msgs/Float32): distance in meters.
 
     Topics:
-        /black_box/kept (std_msgs/Int32), 5 Hz: how many distances it has kept so far.
+        /black_box/kept (std_msgs/Int32), 5 Hz: number of distances stored so far.
 
     Attributes:
-        kept: The distances in meters, in the order in which they came.
+        kept: The stored distances in meters, in order of arrival.
     """
 
     def __init__(self) -> None:
@@ -32,16 +32,16 @@ class BlackBox(Node):
         self.create_timer(REPORT_PERIOD_S, self.report)
 
     def on_distance(self, message: Float32) -> None:
-        """Keep this one, too."""
+        """Store a distance."""
         self.kept.append(message.data)
 
     def report(self) -> None:
-        """Say how many there are."""
+        """Publish the number of stored distances."""
         self.kept_publisher.publish(Int32(data=len(self.kept)))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BlackBox())

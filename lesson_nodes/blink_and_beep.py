@@ -1,4 +1,4 @@
-"""A robot that blinks its lamp and beeps, each to a timer of its own.
+"""Simulate a robot that blinks its lamp and beeps, each with a separate timer.
 
 Run it with ``python -m lesson_nodes.blink_and_beep`` and end it with Ctrl-C.
 """
@@ -16,7 +16,7 @@ BEEP_PERIOD_S = 2.0
 
 
 class BlinkAndBeep(Node):
-    """Blinks and beeps; says so on a topic each time.
+    """Blinks and beeps, and publishes a message each time.
 
     Topics:
         /robot/blink (std_msgs/String): "blink".
@@ -25,10 +25,10 @@ class BlinkAndBeep(Node):
     Parameters:
         blink_period_s (float): Time between two blinks, in seconds.
         beep_period_s (float): Time between two beeps, in seconds.
-        beep_takes_s (float): How long the callback of the beep is busy, in real seconds.
+        beep_takes_s (float): How long the beep's callback takes, in real seconds.
 
     Raises:
-        ValueError: A period is not a positive number, or the beep takes less than no time.
+        ValueError: A period is not a positive number, or `beep_takes_s` is negative or not finite.
     """
 
     def __init__(self) -> None:
@@ -53,14 +53,14 @@ class BlinkAndBeep(Node):
         self.blink_publisher.publish(String(data="blink"))
 
     def beep(self) -> None:
-        """Make a sound. With `beep_takes_s` above zero it blocks, as a badly written driver would."""
+        """Beep once. If `beep_takes_s` is above zero, block for that time, as a badly written driver would."""
         self.beep_publisher.publish(String(data="beep"))
         if self.beep_takes_s > 0.0:
             time.sleep(self.beep_takes_s)
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BlinkAndBeep())

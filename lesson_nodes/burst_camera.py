@@ -1,4 +1,4 @@
-"""Publishes a burst of pictures as fast as it can, as soon as a subscription is there.
+"""Publish a burst of images as fast as possible, once there is a subscription.
 
 Run it with ``python -m lesson_nodes.burst_camera`` and end it with Ctrl-C.
 """
@@ -13,14 +13,14 @@ LARGE_BYTES = 640 * 480 * 3
 
 
 class BurstCamera(Node):
-    """Publishes COUNT pictures in a row, half a second after it has found a subscription.
+    """Checks every 0.5 s for a subscription. Once it finds one, it publishes COUNT images in a row.
 
     Topics:
-        /camera/burst (sensor_msgs/Image): `width` is the number of the picture, from 1 on.
+        /camera/burst (sensor_msgs/Image): `width` is the image's number, starting with 1.
 
     Parameters:
-        depth (int): Depth of the publisher's queue.
-        size_bytes (int): Bytes in each picture.
+        depth (int): The publisher's queue depth.
+        size_bytes (int): Size of each image, in bytes.
     """
 
     def __init__(self) -> None:
@@ -31,7 +31,7 @@ class BurstCamera(Node):
         self.wait_timer = self.create_timer(0.5, self.burst_once_matched)
 
     def burst_once_matched(self) -> None:
-        """Publish all pictures, once, if a subscription is there."""
+        """Publish all images once, if there is a subscription."""
         if self.image_publisher.get_subscription_count() == 0:
             return
         self.wait_timer.cancel()
@@ -40,7 +40,7 @@ class BurstCamera(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the camera until Ctrl-C."""
+    """Run the camera until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     camera = BurstCamera()
     try:

@@ -1,4 +1,4 @@
-"""A monitor of touches that is called for each of them.
+"""Report each touch of a robot's hand from a subscription callback.
 
 Run it with ``python -m lesson_nodes.callback_monitor`` and end it with Ctrl-C.
 """
@@ -10,13 +10,13 @@ from std_msgs.msg import Int32
 
 
 class CallbackMonitor(Node):
-    """Reports each touch as soon as it hears of it.
+    """Publishes each touch's number as soon as the touch is received.
 
     Topics:
-        /monitor/by_callback (std_msgs/Int32): the number of the touch.
+        /monitor/by_callback (std_msgs/Int32): the touch's number.
 
     Subscriptions:
-        /robot/touch (std_msgs/Int32): the number of the touch.
+        /robot/touch (std_msgs/Int32): the touch's number.
     """
 
     def __init__(self) -> None:
@@ -25,12 +25,12 @@ class CallbackMonitor(Node):
         self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
 
     def on_touch(self, message: Int32) -> None:
-        """Report the touch."""
+        """Publish the touch's number."""
         self.report_publisher.publish(Int32(data=message.data))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(CallbackMonitor())

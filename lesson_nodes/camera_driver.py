@@ -1,7 +1,7 @@
-"""The driver of a camera, as a manufacturer would deliver it: its name is built in.
+"""Simulate a camera driver as a vendor might ship it: the node's name is built in.
 
-Run it with ``python -m lesson_nodes.camera_driver`` and end it with Ctrl-C. What it is called on the robot is decided
-from outside, by ``--ros-args -r __node:=left_camera -r __ns:=/robot``.
+Run it with ``python -m lesson_nodes.camera_driver`` and end it with Ctrl-C. To change the node's name
+and its namespace, add ``--ros-args -r __node:=left_camera -r __ns:=/robot``.
 """
 
 from typing import Any
@@ -16,11 +16,11 @@ REPORT_PERIOD_S = 1.0
 
 
 class CameraDriver(Node):
-    """Takes pictures and reports its faults. `settings` go to the Node: namespace, cli_args and so on.
+    """Publishes simulated images and fault reports. Passes `settings` to Node, such as namespace or cli_args.
 
     Topics, for a node /robot/camera:
-        /robot/camera/frame (std_msgs/String), 2 Hz: the number of the picture, in place of a picture.
-        /robot/faults (std_msgs/String), 1 Hz: the name of the camera and what is wrong with it.
+        /robot/camera/frame (std_msgs/String), 2 Hz: the image's number, instead of an image.
+        /robot/faults (std_msgs/String), 1 Hz: the camera's name and its faults.
     """
 
     def __init__(self, **settings: Any) -> None:
@@ -33,17 +33,17 @@ class CameraDriver(Node):
         self.get_logger().info("Camera started")
 
     def take_picture(self) -> None:
-        """Publish the next picture."""
+        """Publish the next image's number."""
         self.frames += 1
         self.frame_publisher.publish(String(data=f"picture {self.frames}"))
 
     def report_faults(self) -> None:
-        """Say what is wrong with this camera."""
+        """Report this camera's faults."""
         self.fault_publisher.publish(String(data=f"{self.get_name()}: none"))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the driver until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the driver until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(CameraDriver())

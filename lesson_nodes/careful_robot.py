@@ -1,4 +1,4 @@
-"""A humanoid that raises its arms when something is close: each message of its sensor moves it a little.
+"""Simulate a humanoid that raises its arms when something is close: each distance message sets a pose.
 
 Run it with ``python -m lesson_nodes.careful_robot`` and end it with Ctrl-C.
 """
@@ -19,14 +19,14 @@ LEFT_SHOULDER, LEFT_ELBOW, RIGHT_SHOULDER, RIGHT_ELBOW = 2, 3, 4, 5
 
 
 def posture(distance_m: float, close_m: float = CLOSE_M) -> list[float]:
-    """The pose of a robot that has something in front of it.
+    """Compute the pose of a robot with an obstacle in front of it.
 
     Args:
-        distance_m: How far it is, in meters.
-        close_m: From this distance on, in meters, the robot feels that it has to do something.
+        distance_m: Distance to the obstacle, in meters.
+        close_m: Distance, in meters, below which the arms begin to rise.
 
     Returns:
-        12 angles in radians: arms down as long as all is far away, arms up when it is almost touched.
+        12 angles in radians. The arms are down at `close_m` or farther, and fully up at 0.2 m or nearer.
     """
     worry = min(1.0, max(0.0, (close_m - distance_m) / (close_m - TOUCH_M)))
     angles = [0.0] * JOINT_COUNT
@@ -36,9 +36,9 @@ def posture(distance_m: float, close_m: float = CLOSE_M) -> list[float]:
 
 
 class CarefulRobot(Node):
-    """Raises its arms the more, the closer the next wall is.
+    """Raises its arms as an obstacle gets closer.
 
-    It has no timer and no loop: all it does, it does when a message comes.
+    The node has no timer and no loop, so it acts only when a message arrives.
 
     Subscriptions:
         /robot/distance (std_msgs/Float32): distance in meters.
@@ -47,10 +47,10 @@ class CarefulRobot(Node):
         /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, one pose for each distance.
 
     Parameters:
-        close_m (float): From this distance on, in meters, the arms go up.
+        close_m (float): Distance, in meters, below which the arms begin to rise.
 
     Raises:
-        ValueError: close_m is not a number above 0.2, where the arms are up already.
+        ValueError: close_m is not a finite number above 0.2, the distance at which the arms are fully up.
     """
 
     def __init__(self) -> None:
@@ -64,12 +64,12 @@ class CarefulRobot(Node):
         self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
 
     def on_distance(self, message: Float32) -> None:
-        """Take the posture that suits this distance."""
+        """Publish the pose for a distance."""
         self.joint_publisher.publish(Float32MultiArray(data=posture(message.data, self.close_m)))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(CarefulRobot())

@@ -1,4 +1,4 @@
-"""A distance sensor on a robot that walks up to a wall, turns round and walks away, again and again.
+"""Simulate the distance sensor of a robot that walks to a wall and back, again and again.
 
 Run it with ``python -m lesson_nodes.distance_sensor`` and end it with Ctrl-C.
 """
@@ -17,20 +17,20 @@ WALK_S = 5.0
 
 
 def distance_to_the_wall(seconds: float) -> float:
-    """How far the wall is, at a moment of the walk.
+    """Compute the distance to the wall at a given time.
 
     Args:
-        seconds: Time since the walk began, far away from the wall.
+        seconds: Time in seconds since the robot started to walk, 2.0 m from the wall.
 
     Returns:
-        The distance in meters: 2.0 at the start, 0.2 after half a walk, then growing again.
+        The distance in meters: 2.0 at the start, 0.2 after 2.5 s, and 2.0 again after 5 s.
     """
     part = seconds / WALK_S % 1.0
     return FAR_M - (FAR_M - NEAR_M) * (1.0 - abs(1.0 - 2.0 * part))
 
 
 class DistanceSensor(Node):
-    """Measures how far the wall in front of the robot is.
+    """Publishes the simulated distance from the robot to the wall.
 
     Topics:
         /robot/distance (std_msgs/Float32): distance in meters, 0.2 to 2.0.
@@ -54,17 +54,17 @@ class DistanceSensor(Node):
         self.timer = self.create_timer(period_s, self.publish_distance)
 
     def seconds(self) -> float:
-        """The time of the node's clock, in seconds."""
+        """Return the time of the node's clock, in seconds."""
         return self.get_clock().now().nanoseconds / 1e9
 
     def publish_distance(self) -> None:
-        """Measure once, and tell."""
+        """Measure the distance once, and publish it."""
         distance_m = distance_to_the_wall(self.seconds() - self.start_s)
         self.distance_publisher.publish(Float32(data=distance_m))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(DistanceSensor())

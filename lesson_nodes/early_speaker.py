@@ -1,4 +1,4 @@
-"""A robot that says what it has to say at the very start, and then nothing more.
+"""Simulate a robot that publishes all of its messages at the start, and none later.
 
 Run it with ``python -m lesson_nodes.early_speaker`` and end it with Ctrl-C.
 """
@@ -13,13 +13,13 @@ WORDS = ("booting", "standing", "operational")
 
 
 class EarlySpeaker(Node):
-    """Publishes three states at once and keeps the last of them for those who come later.
+    """Publishes three states right away, and keeps the last `depth` of them for late subscriptions.
 
     Topics:
         /robot/status (std_msgs/String): "booting", "standing", "operational"; reliable, transient local.
 
-    Parameters (they replace the arguments of the same names):
-        depth: How many messages are kept.
+    Parameters (each overrides the argument of the same name):
+        depth: Number of messages to keep.
     """
 
     def __init__(self, depth: int = 1) -> None:
@@ -33,7 +33,7 @@ class EarlySpeaker(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(EarlySpeaker())

@@ -1,4 +1,4 @@
-"""What comes out of a spin that something ends.
+"""Show how spinning ends, depending on what ended it.
 
 Run it with ``python -m lesson_nodes.ends_of_spin SIGTERM rclpy.spin``.
 """
@@ -23,7 +23,7 @@ WAYS = ("rclpy.spin", "executor.spin")
 
 
 def main(cause: str, way: str) -> None:
-    """Spin a guard in one way until the cause ends it, and print what came out."""
+    """Spin a guard until the cause ends it. Print whether the context is valid, and the exception, if any."""
     rclpy.init()
     guard = NightGuard()
     threading.Timer(1.2, CAUSES[cause]).start()

@@ -1,4 +1,4 @@
-"""Drives a small robot along a figure by velocity commands: a circle, or an eight.
+"""Drive a small robot along a circle or a figure eight, with velocity commands.
 
 Run it with ``python -m lesson_nodes.figure_driver`` and end it with Ctrl-C. Steer with
 ``--ros-args -p forward_mps:=0.4 -p turn_radps:=1.0 -p eight:=true``.
@@ -15,15 +15,15 @@ PERIOD_S = 0.1
 
 
 class FigureDriver(Node):
-    """Says ten times a second how fast the robot shall drive and turn.
+    """Publishes ten times a second how fast the robot should drive and turn.
 
     Topics:
-        /robot/cmd_vel (geometry_msgs/Twist), 10 Hz: linear.x in m/s, angular.z in rad/s, to the left above zero.
+        /robot/cmd_vel (geometry_msgs/Twist), 10 Hz: linear.x in m/s, angular.z in rad/s (positive: to the left).
 
     Parameters:
-        forward_mps: Speed straight ahead in m/s; below zero it drives backwards.
-        turn_radps: Rate of turn in rad/s; 0.0 drives straight.
-        eight: Whether to turn to the other side after each full circle.
+        forward_mps: Forward speed in m/s; with a negative value, the robot drives backward.
+        turn_radps: Turning rate in rad/s; with 0.0, the robot drives straight.
+        eight: Whether to reverse the turning direction after each full circle.
 
     Raises:
         ValueError: A parameter is not finite.
@@ -39,14 +39,14 @@ class FigureDriver(Node):
         self.create_timer(PERIOD_S, self.publish_command)
 
     def finite(self, name: str, default: float) -> float:
-        """Declare a parameter and return its value."""
+        """Declare a parameter, and return its value. Raise ValueError if it isn't finite."""
         value = float(self.declare_parameter(name, default).value)
         if not math.isfinite(value):
             raise ValueError(f"{name} must be a finite number, not {value}")
         return value
 
     def publish_command(self) -> None:
-        """Send the speeds for the next tenth of a second."""
+        """Publish the speeds for the next tenth of a second."""
         circles = int((abs(self.turned_rad) + 1e-9) / (2.0 * math.pi))
         side = -1.0 if self.eight and circles % 2 else 1.0
         command = Twist()
@@ -57,7 +57,7 @@ class FigureDriver(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(FigureDriver())

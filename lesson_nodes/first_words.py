@@ -1,7 +1,7 @@
-"""A newcomer: it publishes three messages, waits until somebody listens, says how long that took, and ends.
+"""Publish three messages right after the start, and measure how long it takes to find a subscription.
 
-Run it with ``python -m lesson_nodes.first_words`` while somebody subscribes to /robot/greeting. It prints the time in
-milliseconds from the making of its publisher to the first subscription that it found; -1.0 if it found none.
+Run it with ``python -m lesson_nodes.first_words`` while another program subscribes to /robot/greeting. It prints the
+time from the creation of its publisher until it found a subscription, in milliseconds; -1.0 if it found none.
 """
 
 import time
@@ -21,17 +21,17 @@ PATIENCE_S = 4.0
 
 
 class FirstWords(Node):
-    """Speaks at once, or first waits for a listener.
+    """Publishes its messages right away, or waits for a subscription first.
 
     Topics:
         /robot/greeting (std_msgs/String): three messages; reliable.
 
-    Parameters (they replace the arguments of the same names):
-        wait_for: What to wait for before the first message. "nothing"; "count": ask for the number of
-            subscriptions until it is above zero; "matched": let an event tell.
-        latched: Whether the messages are kept for those who come later (transient local).
+    Parameters (each overrides the argument of the same name):
+        wait_for: What to wait for before the first message. "nothing": don't wait; "count": poll the
+            number of subscriptions until it's above zero; "matched": wait for the publisher's matched event.
+        latched: Whether to keep the messages for late subscriptions (transient local).
 
-    Raises ValueError for another word.
+    Raises ValueError for any other value of `wait_for`.
     """
 
     def __init__(self, wait_for: str = "nothing", latched: bool = False) -> None:
@@ -51,16 +51,16 @@ class FirstWords(Node):
         )
 
     def on_matched(self, event: object) -> None:
-        """Remember that a subscription was found."""
+        """Record that a subscription was found."""
         self.has_match = True
 
     def greet(self) -> None:
-        """Publish the three messages, one right after the other."""
+        """Publish the three messages, one right after another."""
         for word in WORDS:
             self.publisher.publish(String(data=word))
 
     def look_for_listener(self) -> float:
-        """Wait for the first subscription; milliseconds since the publisher was made, -1.0 if none came."""
+        """Wait up to 4 s for a subscription. Return the publisher's age at that time (ms), or -1.0 without one."""
         deadline = time.monotonic() + PATIENCE_S
         while self.publisher.get_subscription_count() == 0:
             if time.monotonic() > deadline:
@@ -69,17 +69,17 @@ class FirstWords(Node):
         return 1000.0 * (time.monotonic() - self.began)
 
     def wait_for_match(self) -> None:
-        """Work until the event has come that tells of a match."""
+        """Spin until the matched event has occurred, for at most 4 s."""
         deadline = time.monotonic() + PATIENCE_S
         while not self.has_match and time.monotonic() < deadline:
             rclpy.spin_once(self, timeout_sec=0.1)
 
 
 def main(args: list[str] | None = None) -> None:
-    """Greet in the way that the parameters ask for, print the time to the first match, and end with exit code 0."""
+    """Publish the messages as the parameters specify, print the time to the first match (ms), and exit with code 0."""
     rclpy.init(
         args=args, signal_handler_options=SignalHandlerOptions.NO
-    )  # Ctrl-C leaves the context up: it is asked
+    )  # the loops below need a valid context until Ctrl-C ends them
     try:
         node = FirstWords()
         if node.wait_for == "count":

@@ -1,4 +1,4 @@
-"""The camera in the head of the humanoid: it sees its own hands, a ball, and the desk that it stands at.
+"""Simulate the camera in a humanoid's head. Its images show the robot's hands, a ball, and a desk.
 
 Run it with ``python -m lesson_nodes.head_camera`` and end it with Ctrl-C.
 """
@@ -33,55 +33,55 @@ BRICKS = (Box((1.25, 0.5), turn=0.4), Box((1.3, -0.55), turn=-0.5))
 
 
 def pinhole(width: int) -> Pinhole:
-    """The camera for pictures of that width, four to three."""
+    """Return the camera model for images of this width, with an aspect ratio of 4:3."""
     return Pinhole(width, 3 * width // 4, FOCAL_OF_WIDTH * width)
 
 
 def ball_at(seconds: float) -> tuple[float, float, float]:
-    """Where the ball lies at a moment: it rolls to and fro, 0.75 m to 0.9 m before the robot."""
+    """Return the ball's position at a time (s). It rolls back and forth, 0.74 m to 0.90 m in front of the robot."""
     return on_desk(0.82 + 0.08 * math.sin(0.5 * seconds), 0.42 * math.sin(0.9 * seconds))
 
 
 def light_at(seconds: float) -> float:
-    """How bright it is: clouds pass by."""
+    """Return the brightness at a time (s), 1 being a bright day. It changes as clouds pass by."""
     return 0.75 + 0.3 * math.sin(0.6 * seconds)
 
 
 def scene_at(seconds: float, joints: tuple[float, ...] = AT_REST) -> Scene:
-    """What there is to see at a moment, with the robot's joints at these angles (rad)."""
+    """Return the scene at a time (s), with the robot's joints at these angles (rad)."""
     return Scene(ball_at(seconds), None, BRICKS, joints, joints[0], light_at(seconds))
 
 
 def frame(number: int, width: int = WIDTH) -> Picture:
-    """The frame of that number without a camera node: RGB, with head and arms at rest."""
+    """Render the frame with this number as an RGB array, without a node. The head and the arms are at rest."""
     return DeskCamera(pinhole(width), SEED).picture(scene_at(number * PERIOD_S), number)
 
 
 class HeadCamera(Node):
-    """Publishes what the robot sees; `settings` go to the Node. The same seed brings the same pictures.
+    """Publishes the head camera's images. Passes `settings` to Node. The same seed produces the same images.
 
     Topics:
-        /camera/image (sensor_msgs/Image): pictures of `width` by 3/4 `width` pixels, best effort.
+        /camera/image (sensor_msgs/Image): images of `width` by 3/4 `width` pixels, best effort.
 
-        /camera/image/compressed (sensor_msgs/CompressedImage): the same as JPEG, if `jpeg_quality` is above 0.
+        /camera/image/compressed (sensor_msgs/CompressedImage): the same images as JPEG, if `jpeg_quality` is above 0.
 
     Subscriptions:
-        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad). The neck turns the camera to the left;
-            shoulders and elbows move the hands.
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad). The neck turns the camera (positive: to
+            the left). The shoulders and elbows move the hands.
 
     Parameters:
-        period_s (float): Time between two pictures, in seconds.
-        width (int): Columns of a picture.
-        encoding (str): rgb8, bgr8 or mono8.
+        period_s (float): Time between two images, in seconds.
+        width (int): Width of the images, in pixels.
+        encoding (str): rgb8, bgr8, or mono8.
         padding (int): Unused bytes at the end of each row.
-        seed (int): Which noise the sensor has.
-        jpeg_quality (int): Quality of the compressed pictures, from 1 to 100; 0: none are published.
-        waits (bool): The next picture waits for joint positions that came after the last one, at most 0.5 s. On a busy
-            computer, pictures would otherwise be old by chance.
-        frozen (int): Number of the one frame that is published again and again; below 0: the ball rolls.
+        seed (int): Seed of the sensor's noise.
+        jpeg_quality (int): Quality of the compressed images, from 1 to 100. With 0, none are published.
+        waits (bool): Whether each image waits for joint positions that arrive after the previous image, for at most
+            0.5 s. Otherwise, images would be outdated at random times on a busy computer.
+        frozen (int): Number of the frame to publish again and again. With a negative number, the ball rolls.
 
     Raises:
-        ValueError: The period is not a positive number, or the width or the encoding is none that there is.
+        ValueError: The period is not a positive number, or the width or the encoding is not supported.
     """
 
     def __init__(self, **settings: Any) -> None:
@@ -111,27 +111,27 @@ class HeadCamera(Node):
         self.timer = self.create_timer(self.period_s, self.take_picture)
 
     def on_joints(self, message: Float32MultiArray) -> None:
-        """Move head and hands."""
+        """Store the joint angles for the next image, if they are 12 finite numbers."""
         if len(message.data) == len(AT_REST) and all(map(math.isfinite, message.data)):
             self.joints = tuple(message.data)
             self.waiting_since = None
 
     def take_picture(self) -> None:
-        """Publish a picture, unless the last one still waits for joint positions."""
+        """Publish an image, unless the node is still waiting for joint positions."""
         now = time.monotonic()
         if self.waiting_since is None or now - self.waiting_since >= LONGEST_WAIT_S:
             self.waiting_since = now if self.waits else None
             self.publish_picture()
 
     def publish_picture(self) -> None:
-        """Publish what the camera sees now, with the time at which it saw it."""
+        """Render the current image, and publish it with the current time as its stamp."""
         image = Image()
         image.header.stamp = self.get_clock().now().to_msg()
         image.header.frame_id = "head_camera_optical_frame"
         number = self.count if self.frozen < 0 else self.frozen
         picture = self.camera.picture(scene_at(number * self.period_s, self.joints), number)
         data, image.step = encoded(picture, self.encoding, self.padding)
-        image.data = array("B", data)  # a field takes this as it is, and copies any other bytes one by one
+        image.data = array("B", data)  # the field keeps this array, but copies other types byte by byte
         image.height, image.width = picture.shape[:2]
         image.encoding = self.encoding
         self.image_publisher.publish(image)
@@ -145,7 +145,7 @@ class HeadCamera(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(HeadCamera())

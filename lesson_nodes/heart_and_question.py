@@ -1,7 +1,7 @@
-"""A heartbeat and a question in one node: does the heart go on while the question waits for its answer?
+"""Run a heartbeat and a service client in one node. Does the heartbeat continue while a request is open?
 
 Run it with ``python -m lesson_nodes.heart_and_question --ros-args -p way:=await -p group:=own`` and end it with Ctrl-C.
-Some ways hang for good; such a process has to be killed.
+Some of the ways to wait hang forever, and then the process has to be killed.
 """
 
 import math
@@ -30,7 +30,7 @@ PATIENCE_S = 20.0
 
 
 class SelfTest(Node):
-    """Answers the self-test: all is well.
+    """Responds to each self-test request: all is well.
 
     Services:
         /robot/self_test (std_srvs/Trigger).
@@ -42,33 +42,33 @@ class SelfTest(Node):
         self.create_service(Trigger, SERVICE, self.on_call)
 
     def on_call(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-        """Take the time that it takes, and answer."""
+        """Sleep for the response time, then respond."""
         time.sleep(self.takes_s)
         response.success = True
         return response
 
 
 class HeartAndQuestion(Node):
-    """Beats ten times a second, and asks for a self-test twice a second.
+    """Publishes ten heartbeats a second, and requests a self-test twice a second.
 
     Topics:
         /robot/heartbeat (std_msgs/String), 10 Hz.
-        /robot/asked (std_msgs/String): when a question goes out.
-        /robot/answered (std_msgs/String): when the callback has its answer.
+        /robot/asked (std_msgs/String): published right before each request.
+        /robot/answered (std_msgs/String): published when the node has a response.
 
     Calls:
         /robot/self_test (std_srvs/Trigger).
 
     Parameters:
-        way (str): How it asks, one of WAYS.
-        group (str): The callback group of the client. "default": that of all the rest. "own": another one. "reentrant":
-            client and question share one that lets all of them in.
-        server (str): "elsewhere", or "same node": in the group of the question.
-        server_takes_s (float): How long the answer takes, in seconds.
-        threads (int): Threads of the executor.
+        way (str): How the node waits for the response, one of WAYS.
+        group (str): The client's callback group. "default": the node's default group. "own": a separate group.
+            "reentrant": a reentrant group that also contains the timer that sends the requests.
+        server (str): "elsewhere": in another context, or "same node": in the group of the requesting timer.
+        server_takes_s (float): How long the response takes, in seconds.
+        threads (int): Number of executor threads.
 
     Raises:
-        ValueError: A parameter is none of these.
+        ValueError: A parameter's value is invalid.
     """
 
     def __init__(self) -> None:
@@ -102,58 +102,58 @@ class HeartAndQuestion(Node):
         return word
 
     def beat(self) -> None:
-        """Say that this node lives."""
+        """Publish a heartbeat."""
         self.heart.publish(String(data="beat"))
 
     def note(self, response: Any) -> None:
-        """Say that the answer is there, if it is one."""
+        """Report that a response has arrived, unless it's None."""
         if response is not None:
             self.answered.publish(String(data="answer"))
 
     def ask_by_call(self) -> None:
-        """Wait for the answer, for as long as it takes."""
+        """Send a request, and block until the response arrives."""
         self.asked.publish(String(data="question"))
         response = self.self_test.call(Trigger.Request())
         self.note(response)
 
     def ask_by_call_timeout(self) -> None:
-        """Wait for the answer, for 0.4 s."""
+        """Send a request, and block until the response arrives, for at most 0.4 s."""
         self.asked.publish(String(data="question"))
         response = self.self_test.call(Trigger.Request(), timeout_sec=TIMEOUT_S)
         self.note(response)
 
     async def ask_by_await(self) -> None:
-        """Leave the thread to others until the answer is there."""
+        """Send a request, and free the thread for other callbacks until the response arrives."""
         self.asked.publish(String(data="question"))
         response = await self.self_test.call_async(Trigger.Request())
         self.note(response)
 
     def ask_by_spin_until(self) -> None:
-        """Spin the node from inside the callback, for 0.4 s."""
+        """Send a request, and spin the node from inside the callback, for at most 0.4 s."""
         self.asked.publish(String(data="question"))
         future = self.self_test.call_async(Trigger.Request())
         rclpy.spin_until_future_complete(self, future, timeout_sec=TIMEOUT_S)
         self.note(future.result())
 
     def ask_by_done_callback(self) -> None:
-        """Do not wait: leave a note what to do with the answer, and return."""
+        """Send a request, register a callback for the response, and return without waiting."""
         self.asked.publish(String(data="question"))
         future = self.self_test.call_async(Trigger.Request())
         future.add_done_callback(self.on_answer)
 
     def on_answer(self, future: Future) -> None:
-        """Called by the executor when the answer is there."""
+        """Report the response. The executor calls this method when the response has arrived."""
         self.note(future.result())
 
     def on_call(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-        """The self-test, where this node offers it itself."""
+        """Respond to a self-test request, if this node offers the service itself."""
         time.sleep(self.takes_s)
         response.success = True
         return response
 
 
 class Elsewhere:
-    """A server that shares nothing with the node that asks: another context, executor and thread."""
+    """Runs the server separately from the client's node: in another context, executor, and thread."""
 
     def __init__(self, takes_s: float) -> None:
         self.context = Context()
@@ -171,14 +171,14 @@ class Elsewhere:
             pass
 
     def close(self) -> None:
-        """End the server and its thread."""
+        """Stop the server and its thread."""
         self.executor.shutdown()
         rclpy.try_shutdown(context=self.context)  # Ctrl-C may have shut it down already
         self.thread.join()
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0 if nothing hangs."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0, unless a call hangs."""
     rclpy.init(args=args)
     node = HeartAndQuestion()
     elsewhere = Elsewhere(node.takes_s) if node.server == "elsewhere" else None

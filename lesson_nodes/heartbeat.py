@@ -1,7 +1,7 @@
-"""A robot whose heart beats four times a second, and falls silent now and then.
+"""Simulate a robot that publishes four heartbeats a second, optionally with silent periods.
 
-Its state is said once and kept for those who come later. The heartbeat is best effort, and it comes with a promise:
-never more than 0.5 s from one beat to the next (a deadline). Every so often the promise is broken on purpose.
+The robot publishes its state once, and keeps it for late subscriptions. The heartbeat is best effort and
+offers a deadline: at most 0.5 s from one beat to the next. The silent periods violate this deadline on purpose.
 
 Run it with ``python -m lesson_nodes.heartbeat`` and end it with Ctrl-C.
 """
@@ -23,17 +23,17 @@ BEAT_QOS = QoSProfile(
 
 
 class Heartbeat(Node):
-    """Beats for a while, is silent for a while, and so on.
+    """Alternates between periods with heartbeats and periods of silence.
 
     Topics:
-        /robot/status (std_msgs/String): "operational", said once at the start; reliable, transient local.
+        /robot/status (std_msgs/String): "operational", published once at the start; reliable, transient local.
         /robot/heartbeat (std_msgs/String): "beat 1", "beat 2", ... at 4 Hz; best effort, deadline 0.5 s.
 
-    Parameters (they replace the arguments of the same names):
-        beats_for_s: Seconds of beating at a time.
-        silent_for_s: Seconds of silence after that; 0.0 for a heart that never stops.
+    Parameters (each overrides the argument of the same name):
+        beats_for_s: Length of each period with heartbeats, in seconds.
+        silent_for_s: Length of each silent period, in seconds. With 0.0, the heartbeat never stops.
 
-    Raises ValueError for times that are negative or, for the beating, zero.
+    Raises ValueError if a time is negative, or if `beats_for_s` is zero.
     """
 
     def __init__(self, beats_for_s: float = 5.0, silent_for_s: float = 0.0) -> None:
@@ -53,7 +53,7 @@ class Heartbeat(Node):
         self.get_logger().info("Heartbeat started")
 
     def on_tick(self) -> None:
-        """Beat, unless this is a time of silence."""
+        """Publish a heartbeat, except in a silent period."""
         if self.ticks % self.ticks_in_a_round < self.beats_in_a_row:
             self.beats += 1
             self.beat_publisher.publish(String(data=f"beat {self.beats}"))
@@ -61,7 +61,7 @@ class Heartbeat(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(Heartbeat())

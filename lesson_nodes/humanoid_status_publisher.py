@@ -1,4 +1,4 @@
-"""A humanoid robot that reports how it is: its state once a second, its battery every two seconds.
+"""Simulate a humanoid robot that publishes its status once a second and its battery charge every two seconds.
 
 Run it with ``python -m lesson_nodes.humanoid_status_publisher`` and end it with Ctrl-C.
 """
@@ -16,14 +16,14 @@ DRAIN_PERCENT = (0.1, 0.5)
 
 
 class HumanoidStatusPublisher(Node):
-    """Publishes the state of the robot and the charge of its battery.
+    """Publishes the robot's status and its battery charge.
 
     Topics:
         /robot/status (std_msgs/String), 1 Hz: "operational", or "error" once the battery is empty.
         /robot/battery (std_msgs/Float32), 0.5 Hz: charge in percent, from 100.0 down to 0.0.
 
     Args:
-        battery_level: Charge at the start, in percent (0.0 to 100.0).
+        battery_level: Initial charge, in percent (0.0 to 100.0).
 
     Raises:
         ValueError: The charge is not between 0 and 100 percent.
@@ -43,20 +43,20 @@ class HumanoidStatusPublisher(Node):
         self.get_logger().info("Humanoid status publisher started")
 
     def publish_status(self) -> None:
-        """Say whether the robot can work."""
+        """Publish whether the robot can work."""
         message = String(data="operational" if self.battery_level > 0.0 else "error")
         self.status_publisher.publish(message)
         self.get_logger().info(f"Status: {message.data}")
 
     def publish_battery(self) -> None:
-        """Drain the simulated battery a little, never below empty, and report its charge."""
+        """Drain the simulated battery a little, but never below 0 %, and publish its charge."""
         self.battery_level = max(0.0, self.battery_level - random.uniform(*DRAIN_PERCENT))
         self.battery_publisher.publish(Float32(data=self.battery_level))
         self.get_logger().info(f"Battery: {self.battery_level:.1f} %")
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(HumanoidStatusPublisher())

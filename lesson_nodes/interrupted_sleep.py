@@ -1,4 +1,4 @@
-"""Sends itself Ctrl-C while it sleeps, and says what became of the context.
+"""Send this process SIGINT, as Ctrl-C does, and print whether its context is still valid afterward.
 
 Run it with ``python -m lesson_nodes.interrupted_sleep``.
 """
@@ -11,7 +11,7 @@ import rclpy
 
 
 def main() -> None:
-    """Start ROS, sleep, be interrupted, and look at the context half a second later."""
+    """Initialize rclpy, interrupt a sleep with SIGINT, and check the context half a second later."""
     rclpy.init()
     try:
         os.kill(os.getpid(), signal.SIGINT)

@@ -1,4 +1,4 @@
-"""A humanoid that waves its left hand: it publishes the angles of its twelve joints, many times a second.
+"""Simulate a humanoid that waves its left hand: publish the angles of its twelve joints, many times a second.
 
 Run it with ``python -m lesson_nodes.joint_position_publisher`` and end it with Ctrl-C.
 """
@@ -29,11 +29,11 @@ JOINTS = (
 
 
 def waving(seconds: float, waves_per_second: float = WAVES_PER_SECOND) -> list[float]:
-    """Pose of a robot that waves, at a moment of its time.
+    """Compute a waving robot's pose at a given time.
 
     Args:
-        seconds: Time since any fixed moment.
-        waves_per_second: How often the hand goes to and fro.
+        seconds: Time since any fixed moment, in seconds.
+        waves_per_second: How many times per second the hand waves.
 
     Returns:
         12 angles in radians, in the order of JOINTS.
@@ -49,24 +49,24 @@ def waving(seconds: float, waves_per_second: float = WAVES_PER_SECOND) -> list[f
 
 
 class JointPositionPublisher(Node):
-    """Publishes where the joints of a waving humanoid are.
+    """Publishes the joint angles of a waving humanoid.
 
     Topics:
         /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, in the order of JOINTS.
 
     Parameters:
         period_s (float): Time between two messages, in seconds.
-        waves_per_second (float): How often the hand goes to and fro, whatever the period.
+        waves_per_second (float): How many times per second the hand waves, whatever the period.
 
-    Set a parameter from outside with ``--ros-args -p period_s:=0.5``; without that, the argument of the same
-    name counts.
+    Set a parameter on the command line with ``--ros-args -p period_s:=0.5``. Its default is the argument of the
+    same name.
 
     Args:
         period_s: Time between two messages, in seconds.
-        waves_per_second: How often the hand goes to and fro, whatever the period.
+        waves_per_second: How many times per second the hand waves, whatever the period.
 
     Raises:
-        ValueError: The period is not a positive number, or the waves are infinitely many or negative.
+        ValueError: The period is not a positive number, or `waves_per_second` is negative or not finite.
     """
 
     def __init__(self, period_s: float = PERIOD_S, waves_per_second: float = WAVES_PER_SECOND) -> None:
@@ -86,13 +86,13 @@ class JointPositionPublisher(Node):
         self.get_logger().info("Joint position publisher started")
 
     def publish_joint_positions(self) -> None:
-        """Report where the joints are now."""
+        """Publish the current joint angles."""
         seconds = self.get_clock().now().nanoseconds / 1e9
         self.joint_publisher.publish(Float32MultiArray(data=waving(seconds, self.waves_per_second)))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(JointPositionPublisher())

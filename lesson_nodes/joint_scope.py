@@ -1,4 +1,4 @@
-"""Writes down the angle of one joint, as the encoders measure it and as a filter publishes it.
+"""Record one joint's angle, as measured by the encoders and as published by a filter.
 
 Run it with ``python -m lesson_nodes.joint_scope`` and end it with Ctrl-C.
 """
@@ -12,18 +12,18 @@ JOINT = "left_elbow"
 
 
 class JointScope(Node):
-    """Listens to the encoders and to a filter.
+    """Records a joint's measured and filtered angles.
 
     Subscriptions:
-        /encoders/joint_states (sensor_msgs/JointState): angles in radians, as they are measured.
-        /robot/joint_states (sensor_msgs/JointState): angles in radians, filtered.
+        /encoders/joint_states (sensor_msgs/JointState): measured angles in radians.
+        /robot/joint_states (sensor_msgs/JointState): filtered angles in radians.
 
     Attributes:
-        measured: Pairs of a stamp (s) and the angle of the joint (rad), as the encoders say it.
-        filtered: The same, as the filter says it.
+        measured: Pairs of a stamp (s) and the joint's measured angle (rad).
+        filtered: Pairs of a stamp (s) and the joint's filtered angle (rad).
 
     Args:
-        joint: The name of the joint.
+        joint: The joint's name.
     """
 
     def __init__(self, joint: str = JOINT) -> None:
@@ -35,21 +35,21 @@ class JointScope(Node):
         self.create_subscription(JointState, "/robot/joint_states", self.on_filtered, 50)
 
     def on_measured(self, message: JointState) -> None:
-        """Write down what the encoders say."""
+        """Record a measured angle."""
         self.measured.append(self.read(message))
 
     def on_filtered(self, message: JointState) -> None:
-        """Write down what the filter says."""
+        """Record a filtered angle."""
         self.filtered.append(self.read(message))
 
     def read(self, message: JointState) -> tuple[float, float]:
-        """The stamp of a message (s), and the angle of the joint (rad)."""
+        """Return a message's stamp (s) and the joint's angle (rad)."""
         stamp = message.header.stamp
         return stamp.sec + stamp.nanosec / 1e9, message.position[list(message.name).index(self.joint)]
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(JointScope())

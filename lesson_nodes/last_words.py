@@ -1,4 +1,4 @@
-"""A guard that wants to publish one more message on Ctrl-C. Run it with ``python -m lesson_nodes.last_words ALL``."""
+"""Try to publish a last message on Ctrl-C. Run it with ``python -m lesson_nodes.last_words ALL``."""
 
 import sys
 import time
@@ -11,9 +11,9 @@ from lesson_nodes.night_guard import NightGuard
 
 
 def main(handled_by: str) -> None:
-    """Walk rounds until Ctrl-C, then publish "good night".
+    """Walk rounds until Ctrl-C, then try to publish "good night".
 
-    `handled_by` names a member of SignalHandlerOptions: rclpy handles these signals.
+    `handled_by` is the name of a SignalHandlerOptions member: the signals that rclpy handles.
     """
     rclpy.init(signal_handler_options=getattr(SignalHandlerOptions, handled_by))
     guard = NightGuard()

@@ -1,6 +1,6 @@
-"""Asks the driver of exercise 03 for calls of publish_level, and writes down what went out because of each.
+"""Have exercise 03's driver call publish_level, and record the messages that each call publishes.
 
-Run it with ``python -m lesson_nodes.level_desk`` beside the started exercise, and end it with Ctrl-C.
+Run it with ``python -m lesson_nodes.level_desk`` while the exercise is running, and end it with Ctrl-C.
 """
 
 import re
@@ -21,7 +21,7 @@ _ENDS = re.compile(r"call \d+ (?P<how>.*)", re.DOTALL)
 
 @dataclass
 class Call:
-    """One call of publish_level: its argument, how it ended, and what went out meanwhile."""
+    """One call of publish_level: its argument, how it ended, and the levels published during the call."""
 
     value: str
     how: str = "never came back"
@@ -29,16 +29,16 @@ class Call:
 
 
 class LevelDesk(Node):
-    """Says which values to try, and listens to the battery and to the driver.
+    """Publishes the values to try, and records the battery levels and the driver's reports.
 
     Topics:
-        /driver/calls (std_msgs/String), published: the values as Python expressions, one a line.
-        /driver/report (std_msgs/String), heard: what the driver does.
-        /robot/battery (std_msgs/Float32), heard: charge in percent.
+        /driver/calls (std_msgs/String), published: the values as Python expressions, one per line.
+        /driver/report (std_msgs/String), received: the driver's reports on its calls.
+        /robot/battery (std_msgs/Float32), received: charge in percent.
 
     Attributes:
-        trouble: Why no call can be made, "" if they can.
-        done: Whether all calls have been made, or none can be.
+        trouble: Why the driver can't make any call; "" if it can.
+        done: Whether all calls have been made, or none can be made.
     """
 
     def __init__(self, values: Sequence[str] = VALUES) -> None:
@@ -46,25 +46,25 @@ class LevelDesk(Node):
         self.heard: list[tuple[int, str | float]] = []
         self.trouble = ""
         self.done = False
-        # rclpy's hints know callbacks of one argument only; the second one is told when the message was sent.
+        # rclpy also passes a dictionary with the time of sending, but its type hints allow only one argument.
         self.create_subscription(Float32, "/robot/battery", self.on_level, 100)  # type: ignore[arg-type]
         self.create_subscription(String, "/driver/report", self.on_report, 200)  # type: ignore[arg-type]
         self.calls_publisher = self.create_publisher(String, "/driver/calls", LATCHED)
         self.calls_publisher.publish(String(data="\n".join(values)))
 
     def on_level(self, message: Float32, info: dict[str, int]) -> None:
-        """Write down a level with the moment at which it was sent."""
+        """Record a level with the time at which it was sent (ns)."""
         self.heard.append((info["source_timestamp"], message.data))
 
     def on_report(self, message: String, info: dict[str, int]) -> None:
-        """Write down what the driver says of its calls, with the moment at which it said so."""
+        """Record a driver's report with the time at which it was sent (ns)."""
         self.heard.append((info["source_timestamp"], message.data))
         if message.data.startswith("not made: "):
             self.trouble = message.data.removeprefix("not made: ")
         self.done = bool(self.trouble) or message.data == "done"
 
     def calls(self) -> list[Call]:
-        """The calls in order. A level belongs to the call that was announced last before it was sent."""
+        """Return the calls in order. Each level belongs to the last call that began before the level was sent."""
         made: list[Call] = []
         for _, what in sorted(self.heard, key=lambda one: one[0]):
             if isinstance(what, float):
@@ -77,7 +77,7 @@ class LevelDesk(Node):
         return made
 
     def table(self) -> str:
-        """The calls as lines of text: what was given, what arrived, and how the call ended."""
+        """Return a table of the calls: the given value, the levels that arrived, and how the call ended."""
         if self.trouble:
             return f"No call could be made: {self.trouble}"
         rows = [("given", "arrived", "the call")]
@@ -89,7 +89,7 @@ class LevelDesk(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the desk until all calls are made or Ctrl-C comes, print the table, and leave with exit code 0."""
+    """Run the desk until all calls are made, and print the table. On Ctrl-C or SIGTERM, exit early with code 0."""
     rclpy.init(args=args)
     desk = LevelDesk()
     try:

@@ -1,4 +1,4 @@
-"""A guard that walks through a museum at night, round after round, until it is told to stop.
+"""Simulate a guard that walks through a museum at night, round after round, until it's told to stop.
 
 Run it with ``python -m lesson_nodes.night_guard`` and end it with Ctrl-C.
 """
@@ -35,12 +35,12 @@ class NightGuard(Node):
         self.get_logger().info(f"round {self.rounds}: all quiet")
 
     def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
+        """Fold the arms, so that the motors can be switched off. This doesn't use ROS."""
         print("arms parked", flush=True)
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the guard until Ctrl-C or a request to end, park it, then leave with exit code 0."""
+    """Run the guard until Ctrl-C or SIGTERM, park it, and exit with code 0."""
     rclpy.init(args=args)
     guard = NightGuard()
     try:

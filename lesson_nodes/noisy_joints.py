@@ -1,4 +1,4 @@
-"""The encoders of a humanoid that waves: they measure the angles of its twelve joints, and tremble.
+"""Simulate a waving humanoid's encoders: publish noisy measurements of its twelve joint angles.
 
 Run it with ``python -m lesson_nodes.noisy_joints`` and end it with Ctrl-C.
 """
@@ -21,16 +21,16 @@ SEED = 14
 
 
 class NoisyJoints(Node):
-    """Publishes what noisy encoders say of the joints. Each run with the same seed brings the same noise.
+    """Publishes joint angles as noisy encoders measure them. Every run with the same seed has the same noise.
 
     Topics:
-        /encoders/joint_states (sensor_msgs/JointState): names and angles (rad); the stamp counts from the start.
+        /encoders/joint_states (sensor_msgs/JointState): names and angles (rad), stamped with the time since the start.
         /robot/joint_positions (std_msgs/Float32MultiArray): the same angles, for the figure on the screen.
 
     Parameters:
         period_s (float): Time between two messages, in seconds.
         noise_rad (float): Standard deviation of the noise, in radians.
-        seed (int): Which noise it is.
+        seed (int): Seed of the noise.
 
     Raises:
         ValueError: The period is not a positive number, or the noise is negative.
@@ -53,7 +53,7 @@ class NoisyJoints(Node):
         self.timer = self.create_timer(self.period_s, self.publish_angles)
 
     def publish_angles(self) -> None:
-        """Measure all joints once, and say when that was."""
+        """Measure all joints once, and publish the angles with the time of the measurement."""
         seconds = self.count * self.period_s
         self.count += 1
         angles = [angle + self.dice.gauss(0.0, self.noise_rad) for angle in waving(seconds, WAVES_PER_SECOND)]
@@ -65,7 +65,7 @@ class NoisyJoints(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(NoisyJoints())

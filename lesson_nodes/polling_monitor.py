@@ -1,4 +1,4 @@
-"""A monitor of touches that polls: a while loop with a sleep checks whether there is a new one.
+"""Report touches by polling: a while loop with a sleep checks for new ones.
 
 Run it with ``python -m lesson_nodes.polling_monitor`` and end it with Ctrl-C.
 """
@@ -17,17 +17,17 @@ POLL_S = 0.05
 
 
 class PollingMonitor(Node):
-    """Keeps what it last heard, and reports it when somebody calls `look`.
+    """Stores received touches, and publishes their numbers when `look` is called.
 
     Topics:
-        /monitor/by_polling (std_msgs/Int32): the number of a touch.
+        /monitor/by_polling (std_msgs/Int32): a touch's number.
 
     Subscriptions:
-        /robot/touch (std_msgs/Int32): the number of the touch.
+        /robot/touch (std_msgs/Int32): a touch's number.
 
     Parameters:
-        poll_s (float): How long to sleep between two polls, in real seconds; 0 is no sleep at all.
-        keep_all (bool): Whether to keep all touches up to the next poll, and not only the last one.
+        poll_s (float): How long to sleep between two polls, in real seconds; with 0, it doesn't sleep.
+        keep_all (bool): Whether to keep all touches until the next poll, instead of only the last one.
 
     Raises:
         ValueError: The time between two polls is negative or not finite.
@@ -46,17 +46,17 @@ class PollingMonitor(Node):
         self.create_subscription(Int32, "/robot/touch", self.keep, 100)
 
     def keep(self, message: Int32) -> None:
-        """Remember the touch; it takes the place of the one before, unless all are kept."""
+        """Store the touch. It replaces the previous one, unless all touches are kept."""
         self.kept.append(message.data)
 
     def look(self) -> None:
-        """Report what is new since the last poll."""
+        """Publish the touches stored since the last poll."""
         while self.kept:
             self.report_publisher.publish(Int32(data=self.kept.popleft()))
 
 
 def receive(executor: SingleThreadedExecutor) -> None:
-    """Let the nodes of the executor receive, in a thread beside the loop."""
+    """Spin the executor in a second thread, so that its node receives touches while the loop runs."""
     try:
         executor.spin()
     except ExternalShutdownException:
@@ -64,7 +64,7 @@ def receive(executor: SingleThreadedExecutor) -> None:
 
 
 def main(args: list[str] | None = None) -> None:
-    """Look again and again until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Poll until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     monitor = PollingMonitor()
     executor = SingleThreadedExecutor()

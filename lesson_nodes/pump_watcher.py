@@ -1,7 +1,7 @@
-"""Watches a robot that is pumped: orders one call, talks to the robot meanwhile, and notes what it does.
+"""Watch a robot during a call of `pump`: request the call, send words, and record the robot's messages.
 
-It belongs to exercise 06, whose driver listens on /driver/go. Run it with ``python -m lesson_nodes.pump_watcher`` and
-end it with Ctrl-C.
+It belongs to exercise 06, whose driver subscribes to /driver/go. Run it with ``python -m lesson_nodes.pump_watcher``
+and end it with Ctrl-C.
 """
 
 import time
@@ -17,20 +17,20 @@ WORDS = 10
 
 
 class PumpWatcher(Node):
-    """Orders ``pump(robot, 2.0)``, says ten words one second later, and notes all that it sees.
+    """Requests ``pump(robot, 2.0)``, publishes ten words one second later, and records when things happen.
 
     Topics:
-        /driver/go (std_msgs/String): the order, until the call has begun.
-        /robot/words (std_msgs/Int32): ten numbers, one second after the call has begun.
+        /driver/go (std_msgs/String): the request, repeated until the call begins.
+        /robot/words (std_msgs/Int32): ten numbers, one second after the call begins.
 
     Subscriptions:
         /driver/pump (std_msgs/String): "begin 1", "end 1 2.001".
-        /robot/heartbeat, /robot/heard (std_msgs/Int32MultiArray): what the robot does.
+        /robot/heartbeat, /robot/heard (std_msgs/Int32MultiArray): beats, and handled words.
 
     Attributes:
-        begin: When the call began (time.monotonic, s); None before.
-        end: When it came back; None before.
-        rows: Moments (s after the begin) by what happened then.
+        begin: When the call began (time.monotonic, s); None before that.
+        end: When the call returned (time.monotonic, s); None before that.
+        rows: Times of events (s after the call began), by kind of event.
     """
 
     def __init__(self) -> None:
@@ -48,11 +48,11 @@ class PumpWatcher(Node):
 
     @property
     def took(self) -> float | None:
-        """How long the call took (s); None as long as it is not back."""
+        """The call's duration (s); None until the call returns."""
         return None if self.begin is None or self.end is None else self.end - self.begin
 
     def order(self) -> None:
-        """Give the order until the call has begun, and say the words when it is time."""
+        """Publish the request until the call begins. Publish the words one second after that."""
         if self.begin is None:
             self.go_publisher.publish(String(data=f"1 robot {ORDER_S}"))
         elif time.monotonic() - self.begin >= WORDS_AFTER_S:
@@ -61,9 +61,9 @@ class PumpWatcher(Node):
                 self.words_left -= 1
 
     def on_pump(self, message: String) -> None:
-        """Note when the call begins and when it is back."""
+        """Record when the call begins and when it returns."""
         if self.end is not None or (self.begin is not None and message.data.startswith("begin")):
-            return  # said once more
+            return  # a repeated report
         if self.begin is None:
             self.begin = time.monotonic()
         else:
@@ -71,13 +71,13 @@ class PumpWatcher(Node):
         self.note("begin and end")
 
     def note(self, row: str) -> None:
-        """Note that something happened now."""
+        """Record the current time for an event of this kind."""
         if self.begin is not None:
             self.rows[row].append(time.monotonic() - self.begin)
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(PumpWatcher())

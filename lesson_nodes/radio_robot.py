@@ -1,4 +1,4 @@
-"""A robot with a radio: it says its name again and again, and remembers whom it hears.
+"""Simulate a robot with a radio: publish its name again and again, and record the names that it receives.
 
 Run it with ``python -m lesson_nodes.radio_robot`` and end it with Ctrl-C.
 """
@@ -16,14 +16,14 @@ PERIOD_S = 0.25
 
 
 class RadioRobot(Node):
-    """Publishes its own name and listens to the same topic.
+    """Publishes its name on a topic, and subscribes to that topic.
 
     Topics:
-        /building/hello (std_msgs/String), 4 Hz: the name of who speaks.
+        /building/hello (std_msgs/String), 4 Hz: the sender's name.
 
     Attributes:
-        called: Its own name, known to it after its node is gone as well.
-        heard: Who was heard and when, as pairs of a name and a moment of `time.monotonic` (s). It hears itself, too.
+        called: The robot's name, which stays available after the node is destroyed.
+        heard: Pairs of a received name and its arrival time (`time.monotonic`, s). They include the robot's own name.
     """
 
     def __init__(self, name: str = "radio_robot", context: Context | None = None) -> None:
@@ -36,24 +36,24 @@ class RadioRobot(Node):
         self.get_logger().info("Radio robot started")
 
     def say_hello(self) -> None:
-        """Say who is speaking."""
+        """Publish the robot's name."""
         self.hello_publisher.publish(String(data=self.called))
 
     def on_hello(self, message: String) -> None:
-        """Remember who spoke."""
+        """Record a received name."""
         self.heard.append((message.data, time.monotonic()))
 
     def moments(self, speaker: str) -> list[float]:
-        """When `speaker` was heard (s of `time.monotonic`)."""
+        """Return the arrival times (`time.monotonic`, s) of one robot's messages."""
         return [moment for name, moment in self.heard if name == speaker]
 
     def others(self) -> list[str]:
-        """Names of the other robots that were heard."""
+        """Return the sorted names of the other robots that published a message."""
         return sorted({name for name, _ in self.heard} - {self.called})
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the robot until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the robot until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(RadioRobot())

@@ -1,4 +1,4 @@
-"""A node that looks at the graph and says who is there, and one that listens to it.
+"""Publish the names of the nodes on the graph, and record the published names.
 
 Run it with ``python -m lesson_nodes.roll_call`` and end it with Ctrl-C.
 """
@@ -15,10 +15,10 @@ PERIOD_S = 0.2
 
 
 class RollCall(Node):
-    """Publishes the full names of all other nodes that it sees, those left out that begin with an underscore.
+    """Publishes the fully qualified names of all other nodes, except those whose name begins with an underscore.
 
     Topics:
-        /robot/roll_call (std_msgs/String), 5 Hz: the names, sorted, with a space between them. Twins are named twice.
+        /robot/roll_call (std_msgs/String), 5 Hz: the sorted names, separated by spaces. Duplicates are listed twice.
 
     Parameters:
         period_s: Time between two roll calls (s), more than zero.
@@ -34,11 +34,11 @@ class RollCall(Node):
         self.get_logger().info("Roll call started")
 
     def call_the_roll(self) -> None:
-        """Say who is on the graph."""
+        """Publish the names of the other nodes on the graph."""
         self.roll_publisher.publish(String(data=" ".join(self.others())))
 
     def others(self) -> list[str]:
-        """Full names of the other nodes, sorted."""
+        """Return the other nodes' fully qualified names, sorted."""
         own = self.get_fully_qualified_name()
         found = [
             f"{namespace.rstrip('/')}/{name}"
@@ -49,10 +49,10 @@ class RollCall(Node):
 
 
 class RollReader(Node):
-    """Keeps what the roll calls said.
+    """Stores the roll calls that it receives.
 
     Attributes:
-        calls: The roll calls so far, as pairs of a moment of `time.monotonic` (s) and the names.
+        calls: The roll calls so far, as pairs of an arrival time (`time.monotonic`, s) and the names.
     """
 
     def __init__(self) -> None:
@@ -61,20 +61,20 @@ class RollReader(Node):
         self.create_subscription(String, TOPIC, self.on_call, 10)
 
     def on_call(self, message: String) -> None:
-        """Keep the names that were called."""
+        """Store a roll call's names."""
         self.calls.append((time.monotonic(), message.data.split()))
 
     def latest(self) -> list[str]:
-        """The names of the latest roll call; none before the first one."""
+        """Return the names in the latest roll call; an empty list before the first one."""
         return self.calls[-1][1] if self.calls else []
 
     def moments(self, name: str) -> list[float]:
-        """When a node of this name was called (s of `time.monotonic`)."""
+        """Return the times (`time.monotonic`, s) of all roll calls that contained this name."""
         return [moment for moment, names in self.calls if name in names]
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(RollCall())

@@ -1,4 +1,4 @@
-"""A robot that tests itself when asked: it offers the service /robot/self_test.
+"""Simulate a robot that tests itself on request: it offers the service /robot/self_test.
 
 Run it with ``python -m lesson_nodes.self_test_server`` and end it with Ctrl-C.
 """
@@ -18,18 +18,18 @@ ANSWERS = ("ok", "faulty", "slow", "never")
 
 
 class SelfTestServer(Node):
-    """Answers the call for a self-test: at once, late, or not at all.
+    """Responds to self-test requests: right away, late, or not at all.
 
     Services:
         /robot/self_test (std_srvs/Trigger): whether all joints move as they should.
 
     Parameters:
-        pattern (str): How calls are answered, in turn, with commas between: "ok", "faulty", "slow" (ok, but late) and
-            "never". After the last word it begins again.
-        slow_s (float): How long a slow answer takes, in seconds.
+        pattern (str): The responses to successive calls, separated by commas: "ok", "faulty", "slow" (ok, but late), or
+            "never". After the last word, the pattern starts over.
+        slow_s (float): How long a slow response takes, in seconds.
 
     Raises:
-        ValueError: The pattern holds another word, or a slow answer takes less than no time.
+        ValueError: The pattern contains another word, or `slow_s` is not a positive number.
     """
 
     def __init__(self) -> None:
@@ -43,14 +43,14 @@ class SelfTestServer(Node):
         if not 0.0 < self.slow_s < math.inf:
             raise ValueError(f"A slow answer takes some time, for example 0.7 s, not {self.slow_s}.")
         self.calls = 0
-        # Reentrant: while one call waits for its answer, the next ones are served.
+        # Reentrant, so that further calls are handled while a slow one is still waiting.
         self.group = ReentrantCallbackGroup()
-        # The type hints of rclpy know no coroutines here; rclpy itself does.
+        # rclpy accepts a coroutine here, but its type hints don't.
         self.create_service(Trigger, "/robot/self_test", self.on_call, callback_group=self.group)  # type: ignore[misc]
         self.get_logger().info("Self-test server started")
 
     async def on_call(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-        """Answer as the pattern says. A coroutine: what it awaits holds up nobody else."""
+        """Respond as the pattern says. This is a coroutine, so other callbacks run while it waits."""
         word = self.pattern[self.calls % len(self.pattern)]
         self.calls += 1
         if word == "slow":
@@ -62,7 +62,7 @@ class SelfTestServer(Node):
         return response
 
     def passed(self, seconds: float) -> Future:
-        """A future that is done when so much time has passed."""
+        """Return a future that completes after this time."""
         future = Future()
 
         def ring() -> None:
@@ -74,7 +74,7 @@ class SelfTestServer(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(SelfTestServer())

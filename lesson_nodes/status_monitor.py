@@ -1,4 +1,4 @@
-"""The other end of the status publisher: it listens, remembers the latest reports and warns of a low battery.
+"""Receive the status publisher's messages, store the latest ones, and warn of a low battery.
 
 Run it with ``python -m lesson_nodes.status_monitor`` and end it with Ctrl-C.
 """
@@ -12,15 +12,15 @@ LOW_BATTERY_PERCENT = 20.0
 
 
 class StatusMonitor(Node):
-    """Keeps what the humanoid last said of itself.
+    """Stores the humanoid's latest status and battery charge.
 
     Subscriptions:
         /robot/status (std_msgs/String): "operational" or "error".
         /robot/battery (std_msgs/Float32): charge in percent.
 
     Attributes:
-        last_status: The latest status, None before the first one.
-        last_battery: The latest charge in percent, None before the first one.
+        last_status: The latest status; None before the first one.
+        last_battery: The latest charge in percent; None before the first one.
         battery_is_low: Whether the latest charge was below 20 percent.
     """
 
@@ -34,13 +34,13 @@ class StatusMonitor(Node):
         self.get_logger().info("Status monitor started")
 
     def on_status(self, message: String) -> None:
-        """Remember the status and log it when it is another one than before."""
+        """Store the status, and log it if it has changed."""
         if message.data != self.last_status:
             self.get_logger().info(f"The robot is {message.data}")
         self.last_status = message.data
 
     def on_battery(self, message: Float32) -> None:
-        """Remember the charge and warn once each time it falls below the limit."""
+        """Store the charge, and warn once each time it falls below 20 %."""
         self.last_battery = message.data
         is_low = message.data < LOW_BATTERY_PERCENT
         if is_low and not self.battery_is_low:
@@ -49,7 +49,7 @@ class StatusMonitor(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(StatusMonitor())

@@ -1,4 +1,4 @@
-"""A robot that waves and shows a heartbeat, and now and then thinks for a while in a callback.
+"""Simulate a robot that waves, publishes a heartbeat, and regularly thinks for a while in a callback.
 
 Run it with ``python -m lesson_nodes.thinking_robot`` and end it with Ctrl-C.
 """
@@ -22,7 +22,7 @@ RIGHT_SHOULDER, RIGHT_ELBOW = 4, 5
 
 
 class ThinkingRobot(Node):
-    """Beats and waves on one timer, thinks on another.
+    """Publishes heartbeats and waves with one timer, and thinks with another.
 
     Topics:
         /robot/heartbeat (std_msgs/String): "alive".
@@ -32,12 +32,12 @@ class ThinkingRobot(Node):
     Parameters:
         heartbeat_period_s (float): Time between two heartbeats, in seconds.
         think_period_s (float): Time from the start of one thought to the next, in seconds.
-        think_takes_s (float): How long the callback that thinks is busy, in real seconds.
-        own_group (bool): Whether thinking has a callback group of its own.
-        threads (int): Threads of the executor; 1 is a SingleThreadedExecutor.
+        think_takes_s (float): How long the thinking callback takes, in real seconds.
+        own_group (bool): Whether the thinking callback has a separate callback group.
+        threads (int): Number of executor threads. With 1, the executor is a SingleThreadedExecutor.
 
     Raises:
-        ValueError: A period is not a positive number, a thought takes less than no time, or there is no thread.
+        ValueError: A period is not a positive number, `think_takes_s` is negative or not finite, or `threads` < 1.
     """
 
     def __init__(self) -> None:
@@ -66,7 +66,7 @@ class ThinkingRobot(Node):
         self.create_timer(think_period_s, self.think, callback_group=group)
 
     def beat(self) -> None:
-        """Say that the robot lives, and move the waving arm on."""
+        """Publish a heartbeat, and move the waving arm."""
         self.heartbeat_publisher.publish(String(data="alive"))
         phase = 2.0 * math.pi * (time.monotonic() - self.began) / WAVE_PERIOD_S
         angles = [0.0] * JOINT_COUNT
@@ -75,19 +75,19 @@ class ThinkingRobot(Node):
         self.joint_publisher.publish(Float32MultiArray(data=angles))
 
     def think(self) -> None:
-        """Be busy for a while, as a planner is that does not let go of the thread."""
+        """Block the thread for a while, as a slow planner would."""
         if self.closing.wait(self.think_takes_s):
             return
         self.thought_publisher.publish(String(data="done"))
 
 
 def executor_for(node: ThinkingRobot) -> Executor:
-    """An executor with as many threads as the node was told."""
+    """Return an executor with as many threads as the node's parameter says."""
     return SingleThreadedExecutor() if node.threads == 1 else MultiThreadedExecutor(num_threads=node.threads)
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     node = ThinkingRobot()
     executor = executor_for(node)
@@ -97,7 +97,7 @@ def main(args: list[str] | None = None) -> None:
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
-        node.closing.set()  # a thought in another thread need not come to its end
+        node.closing.set()  # so that a thought in another thread doesn't delay the exit
         rclpy.try_shutdown()
 
 

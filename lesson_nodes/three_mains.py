@@ -1,4 +1,4 @@
-"""Three ways to write a main function. Run one with ``python -m lesson_nodes.three_mains first_main``."""
+"""Compare three ways to write a main function. Run one with ``python -m lesson_nodes.three_mains first_main``."""
 
 import sys
 

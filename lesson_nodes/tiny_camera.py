@@ -1,4 +1,4 @@
-"""A camera of 16 by 12 pixels that sees a ball roll over the floor.
+"""Simulate a camera of 16 by 12 pixels whose images show a ball that rolls across the floor.
 
 Run it with ``python -m lesson_nodes.tiny_camera`` and end it with Ctrl-C.
 """
@@ -19,14 +19,14 @@ BALL = (220, 60, 40)
 
 
 def pixel(column: int, row: int, ball_column: int) -> tuple[int, int, int]:
-    """What the camera sees at one place: red, green and blue, each from 0 to 255."""
+    """Return one pixel's color: red, green, and blue, each from 0 to 255."""
     if (column - ball_column) ** 2 + (row - BALL_ROW) ** 2 <= BALL_RADIUS**2:
         return BALL
     return FLOOR if row >= BALL_ROW else WALL
 
 
 def picture(ball_column: int) -> Image:
-    """The scene as a message: rows from the top, pixels from the left, three bytes each."""
+    """Return the scene as a message: rows from top to bottom, pixels from left to right, three bytes per pixel."""
     image = Image()
     image.header.frame_id = "camera"
     image.width = WIDTH
@@ -40,7 +40,7 @@ def picture(ball_column: int) -> Image:
 
 
 class TinyCamera(Node):
-    """Sends a picture twice a second.
+    """Publishes an image twice a second.
 
     Topics:
         /robot/camera (sensor_msgs/Image), 2 Hz: 16 by 12 pixels, rgb8.
@@ -53,7 +53,7 @@ class TinyCamera(Node):
         self.create_timer(PERIOD_S, self.publish_picture)
 
     def publish_picture(self) -> None:
-        """Send what the camera sees now, with the time at which it saw it; then the ball rolls on."""
+        """Publish the current image, stamped with the current time. Then move the ball."""
         image = picture(self.ball_column)
         image.header.stamp = self.get_clock().now().to_msg()
         self.image_publisher.publish(image)
@@ -61,7 +61,7 @@ class TinyCamera(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(TinyCamera())

@@ -1,6 +1,6 @@
-"""The skin of a hand: it numbers each touch and reports it, sometimes several in one moment.
+"""Simulate the skin of a hand: number each touch, and publish it. Sometimes, several touches are simultaneous.
 
-It begins when enough others listen. Run it with ``python -m lesson_nodes.touch_sensor`` and end it with Ctrl-C.
+It waits for enough subscriptions. Run it with ``python -m lesson_nodes.touch_sensor`` and end it with Ctrl-C.
 """
 
 import random
@@ -18,10 +18,10 @@ AT_ONCE = (1, 2, 4, 5, 6)
 
 
 def touch_plan(touches: int, seed: int = 11) -> list[tuple[float, int]]:
-    """When the hand is touched: pairs of the moment (s) and how often at once. The same in every run.
+    """Return pairs of a time (s) and a number of simultaneous touches. They are the same in every run.
 
     Raises:
-        ValueError: There is no touch to plan.
+        ValueError: `touches` is below 1.
     """
     if touches < 1:
         raise ValueError(f"A plan has 1 touch or more, not {touches}.")
@@ -38,14 +38,14 @@ def touch_plan(touches: int, seed: int = 11) -> list[tuple[float, int]]:
 
 
 class TouchSensor(Node):
-    """Reports touches with a running number, from 1 on.
+    """Publishes touches, numbered from 1.
 
     Topics:
-        /robot/touch (std_msgs/Int32): the number of the touch.
+        /robot/touch (std_msgs/Int32): the touch's number.
 
     Parameters:
-        touches (int): How many touches there are in all.
-        listeners (int): How many subscriptions it waits for before it begins.
+        touches (int): Total number of touches.
+        listeners (int): Number of subscriptions to wait for before the first touch.
     """
 
     def __init__(self) -> None:
@@ -58,7 +58,7 @@ class TouchSensor(Node):
         self.create_timer(LOOK_PERIOD_S, self.feel)
 
     def feel(self) -> None:
-        """Report the touches that are due."""
+        """Publish the touches that are due."""
         if self.began is None:
             if self.touch_publisher.get_subscription_count() < self.listeners:
                 return
@@ -70,7 +70,7 @@ class TouchSensor(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(TouchSensor())

@@ -1,4 +1,4 @@
-"""A camera over a desk with toys: a ball rolls past a cup, a plate and a brick, all of them orange.
+"""Simulate a camera above a desk with toys: a ball rolls past a cup, a plate, and a brick, all of them orange.
 
 Run it with ``python -m lesson_nodes.toy_camera`` and end it with Ctrl-C.
 """
@@ -28,34 +28,34 @@ PLATES = (Plate((1.12, -0.5)),)
 
 
 def pinhole(width: int) -> Pinhole:
-    """The camera for pictures of that width, four to three."""
+    """Return the camera model for images of this width, with an aspect ratio of 4:3."""
     return Pinhole(width, 3 * width // 4, FOCAL_OF_WIDTH * width)
 
 
 def ball_at(seconds: float) -> tuple[float, float, float]:
-    """Where the ball lies at a moment: it rolls to and fro, 0.75 m before the robot, with up to 0.45 m/s."""
+    """Return the ball's position at a time (s). It rolls back and forth at up to 0.46 m/s, 0.75 m from the robot."""
     return on_desk(0.75, 0.38 * math.sin(1.2 * seconds))
 
 
 def scene_at(seconds: float) -> Scene:
-    """What there is to see at a moment, in light that changes slowly."""
+    """Return the scene at a time (s), in slowly changing light."""
     light = 0.85 + 0.15 * math.sin(0.6 * seconds)
     return Scene(ball_at(seconds), boxes=BRICKS, light=light, cups=CUPS, plates=PLATES)
 
 
 class ToyCamera(Node):
-    """Publishes what the camera sees; `settings` go to the Node. The same seed brings the same pictures.
+    """Publishes the camera's images. Passes `settings` to Node. The same seed produces the same images.
 
     Topics:
-        /camera/image (sensor_msgs/Image): pictures of `width` by 3/4 `width` pixels, rgb8, best effort.
+        /camera/image (sensor_msgs/Image): images of `width` by 3/4 `width` pixels, rgb8, best effort.
 
     Parameters:
-        period_s (float): Time between two pictures, in seconds.
-        width (int): Columns of a picture, a multiple of 160.
-        seed (int): Which noise the sensor has.
+        period_s (float): Time between two images, in seconds.
+        width (int): Width of the images, in pixels: 160, 320, 480, or 640.
+        seed (int): Seed of the sensor's noise.
 
     Raises:
-        ValueError: The period is not a positive number, or the width is none that there is.
+        ValueError: The period is not a positive number, or the width is not one of these.
     """
 
     def __init__(self, **settings: Any) -> None:
@@ -72,7 +72,7 @@ class ToyCamera(Node):
         self.timer = self.create_timer(self.period_s, self.publish_picture)
 
     def publish_picture(self) -> None:
-        """Publish what the camera sees now, with the time at which it saw it."""
+        """Render the current image, and publish it with the current time as its stamp."""
         image = Image(encoding="rgb8")
         image.header.stamp = self.get_clock().now().to_msg()
         image.header.frame_id = "head_camera_optical_frame"
@@ -85,7 +85,7 @@ class ToyCamera(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(ToyCamera())

@@ -1,4 +1,4 @@
-"""Finds toys in pictures with a neural network that takes 0.2 s, and shows a heartbeat.
+"""Find toys in images with a neural network that takes 0.2 s per image, and publish a heartbeat.
 
 Run it with ``python -m lesson_nodes.toy_detector`` and end it with Ctrl-C.
 """
@@ -26,7 +26,7 @@ WHERE = ("callback", "thread")
 
 
 def to_markers(detections: list[Detection], header: Header) -> MarkerArray:
-    """The detections as markers: `ns` is the label, position and scale are in pixels, and `color.a` is the score."""
+    """Convert detections to markers: `ns` is the label, `color.a` is the score; position and scale are in pixels."""
     message = MarkerArray()
     for number, one in enumerate(detections):
         marker = Marker(header=header, ns=one.label, id=number)
@@ -38,25 +38,25 @@ def to_markers(detections: list[Detection], header: Header) -> MarkerArray:
 
 
 class ToyDetector(Node):
-    """Looks at pictures, in the callback or in a thread of its own; `settings` go to the Node.
+    """Detects toys in images, in the callback or in a separate thread. Passes `settings` to Node.
 
     Topics:
-        /robot/detections (visualization_msgs/MarkerArray): for a picture, a marker for each toy.
+        /robot/detections (visualization_msgs/MarkerArray): a message per image, with a marker for each toy.
         /robot/heartbeat (std_msgs/String): "alive", ten times a second.
 
     Subscriptions:
-        /camera/image (sensor_msgs/Image): pictures, rgb8 without padding.
+        /camera/image (sensor_msgs/Image): images, rgb8 without padding.
 
     Parameters:
-        depth (int): How many pictures the subscription keeps.
+        depth (int): The subscription's queue depth.
         where (str): Where the network runs, "callback" or "thread".
-        takes_s (float): How long it takes for a picture, in seconds. A part of it is waited for.
-        load_s (float): How long loading it takes, in seconds.
-        loads_each_time (bool): A fault: the network is loaded for each picture.
-        stamps_now (bool): A fault: detections get the time at which they are published.
+        takes_s (float): Time per image, in seconds. The node sleeps for the part that the network doesn't need.
+        load_s (float): Extra time for loading the network, in seconds.
+        loads_each_time (bool): A deliberate fault: the network is loaded again for each image.
+        stamps_now (bool): A deliberate fault: detections are stamped with the time at which they are published.
 
     Raises:
-        ValueError: `where` is another word, or the depth is below 1.
+        ValueError: `where` has another value, or the depth is below 1.
     """
 
     def __init__(self, **settings: Any) -> None:
@@ -83,41 +83,41 @@ class ToyDetector(Node):
             self.worker.start()
 
     def load(self) -> DeskDetector:
-        """Load the network, and take as long as a large one does."""
+        """Load the network, after a delay that simulates a larger one."""
         time.sleep(self.load_s)
         return DeskDetector()
 
     def beat(self) -> None:
-        """Say that the robot lives."""
+        """Publish a heartbeat."""
         self.heartbeat_publisher.publish(String(data="alive"))
 
     def look(self, image: Image) -> None:
-        """Find the toys in a picture, and publish them with the picture's header."""
+        """Find the toys in an image, and publish them with the image's header."""
         done = time.monotonic() + self.takes_s
         values = np.frombuffer(image.data, np.uint8)
         detections = self.detector(values.reshape(image.height, image.width, 3))
-        time.sleep(max(0.0, done - time.monotonic()))  # as for a large network
+        time.sleep(max(0.0, done - time.monotonic()))  # simulates a larger network
         self.answer(detections, image.header)
 
     def answer(self, detections: list[Detection], header: Header) -> None:
-        """Publish detections with this header."""
+        """Publish detections with their image's header."""
         if self.stamps_now:
             header.stamp = self.get_clock().now().to_msg()
         self.publisher.publish(to_markers(detections, header))
 
     def load_and_look(self, image: Image) -> None:
-        """Load the network for each picture: a fault that lesson 16 shows."""
+        """Load the network again for each image: a deliberate fault that lesson 16 shows."""
         self.detector = self.load()
         self.look(image)
 
     def keep_newest(self, image: Image) -> None:
-        """Leave a picture for the thread. One that it has not taken yet is dropped."""
+        """Store an image for the thread. Discard the previous image if the thread hasn't taken it yet."""
         with suppress(queue.Empty):
             self.waiting.get_nowait()
         self.waiting.put_nowait(image)
 
     def work(self) -> None:
-        """Look at pictures, one after another, until `close`."""
+        """Process images, one after another, until `close` is called."""
         while (image := self.waiting.get()) is not None:
             try:
                 self.look(image)
@@ -136,7 +136,7 @@ class ToyDetector(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     node = ToyDetector()
     try:

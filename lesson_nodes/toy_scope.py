@@ -1,4 +1,4 @@
-"""Watches a camera and a detector: how old detections are when they arrive, and where the boxes are by then.
+"""Record how old a detector's results are when they arrive, and how their boxes fit the current images.
 
 Run it with ``python -m lesson_nodes.toy_scope`` and end it with Ctrl-C.
 """
@@ -22,29 +22,29 @@ FILM_EVERY, FILM_LENGTH = 3, 90
 
 
 def taken_at(header: Header) -> float:
-    """The stamp of a header, in seconds."""
+    """Return a header's stamp, in seconds."""
     return float(header.stamp.sec + header.stamp.nanosec / 1e9)
 
 
 def to_detection(marker: Marker) -> Detection:
-    """A marker as the detection that it was made of."""
+    """Convert a marker back to a detection."""
     place, size = marker.pose.position, marker.scale
     return Detection(marker.ns, marker.color.a, place.x, place.y, size.x, size.y)
 
 
 class ToyScope(Node):
-    """Listens to a camera, to detections and to a heartbeat.
+    """Records images, detections, and heartbeats.
 
     Subscriptions:
-        /camera/image (sensor_msgs/Image): pictures, rgb8 without padding.
-        /robot/detections (visualization_msgs/MarkerArray): for a picture, a marker for each toy.
+        /camera/image (sensor_msgs/Image): images, rgb8 without padding.
+        /robot/detections (visualization_msgs/MarkerArray): a message per image, with a marker for each toy.
         /robot/heartbeat (std_msgs/String): "alive".
 
     Attributes:
-        ages: For each message with detections, how long before its arrival the picture was taken (s).
-        beats: When heartbeats arrived (s).
-        detections: The detections of the last message.
-        film: Every third picture, RGB, each with the detections that were the last ones then.
+        ages: For each message with detections, its image's age on arrival (s).
+        beats: Arrival times of heartbeats (`time.monotonic`, s).
+        detections: The detections in the latest message.
+        film: Every third image as an RGB array, each with the latest detections at that time, at most 90 pairs.
     """
 
     def __init__(self) -> None:
@@ -59,25 +59,25 @@ class ToyScope(Node):
         self.create_subscription(String, "/robot/heartbeat", self.on_beat, 50)
 
     def on_image(self, image: Image) -> None:
-        """Keep every third picture, once there are detections."""
+        """Add every third image to the film, once there are detections."""
         self.count += 1
         if self.ages and self.count % FILM_EVERY == 0 and len(self.film) < FILM_LENGTH:
             picture = np.array(image.data, dtype=np.uint8).reshape(image.height, image.width, 3)
             self.film.append((picture, self.detections))
 
     def on_detections(self, message: MarkerArray) -> None:
-        """Keep the detections, and write down how old they are."""
+        """Store the detections, and record their image's age."""
         self.detections = [to_detection(marker) for marker in message.markers]
         if message.markers:
             self.ages.append(time.time() - taken_at(message.markers[0].header))
 
     def on_beat(self, message: String) -> None:
-        """Write down when a heartbeat came."""
+        """Record when a heartbeat arrived."""
         self.beats.append(time.monotonic())
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(ToyScope())

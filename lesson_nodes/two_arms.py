@@ -1,4 +1,4 @@
-"""A humanoid that moves each arm to a timer of its own: one many times a second, the other once.
+"""Simulate a humanoid that moves each arm with a separate timer: one arm many times a second, the other once.
 
 Run it with ``python -m lesson_nodes.two_arms`` and end it with Ctrl-C.
 """
@@ -18,22 +18,22 @@ LEFT_SHOULDER, LEFT_ELBOW, RIGHT_SHOULDER, RIGHT_ELBOW = 2, 3, 4, 5
 
 
 def lift(seconds: float) -> float:
-    """Angle of a shoulder that goes up and down, at a moment of its time.
+    """Compute the angle of a shoulder that moves up and down, at a given time.
 
     Args:
-        seconds: Time since any fixed moment.
+        seconds: Time since any fixed moment, in seconds.
 
     Returns:
-        The angle in radians: 0.3 with the arm almost down, 2.3 with the hand above the head.
+        The angle in radians: 0.3 when the arm is almost down, 2.3 when the hand is above the head.
     """
     return 1.3 - math.cos(2.0 * math.pi * seconds / SWING_PERIOD_S)
 
 
 class TwoArms(Node):
-    """Moves both arms up and down to the same plan, each whenever its own timer ticks.
+    """Moves both arms up and down by the same function of time, each arm whenever its timer fires.
 
     Topics:
-        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, sent after each change.
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, published after each change.
 
     Parameters:
         left_period_s (float): Time between two steps of the left arm, in seconds.
@@ -61,22 +61,22 @@ class TwoArms(Node):
         self.right_timer = self.create_timer(right_period_s, self.move_right)
 
     def seconds(self) -> float:
-        """The time of the node's clock, in seconds."""
+        """Return the time of the node's clock, in seconds."""
         return self.get_clock().now().nanoseconds / 1e9
 
     def move_left(self) -> None:
-        """Bring the left arm to where the plan says it is now."""
+        """Move the left arm to its angle for the current time."""
         self.angles[LEFT_SHOULDER] = lift(self.seconds() - self.start_s)
         self.joint_publisher.publish(Float32MultiArray(data=self.angles))
 
     def move_right(self) -> None:
-        """Bring the right arm to where the plan says it is now."""
+        """Move the right arm to its angle for the current time."""
         self.angles[RIGHT_SHOULDER] = lift(self.seconds() - self.start_s)
         self.joint_publisher.publish(Float32MultiArray(data=self.angles))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(TwoArms())

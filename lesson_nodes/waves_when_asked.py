@@ -1,4 +1,4 @@
-"""A humanoid that waves its left hand while it has been asked to: it offers the service /robot/wave.
+"""Simulate a humanoid that waves its left hand on request: it offers the service /robot/wave.
 
 Run it with ``python -m lesson_nodes.waves_when_asked`` and end it with Ctrl-C.
 """
@@ -18,13 +18,13 @@ LEFT_SHOULDER, LEFT_ELBOW = 2, 3
 
 
 class WavesWhenAsked(Node):
-    """Stands at rest, or waves; others say which.
+    """Stands still or waves, as requested through a service.
 
     Topics:
         /robot/joint_positions (std_msgs/Float32MultiArray), 20 Hz: 12 angles in radians.
 
     Services:
-        /robot/wave (std_srvs/SetBool): true to wave, false to stop. No success when it does so already.
+        /robot/wave (std_srvs/SetBool): true to wave, false to stop. `success` is false if the robot already does that.
     """
 
     def __init__(self) -> None:
@@ -36,7 +36,7 @@ class WavesWhenAsked(Node):
         self.get_logger().info("Waving robot started")
 
     def on_wave(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
-        """Begin or stop to wave, and say so."""
+        """Start or stop waving, and report the new state in the response."""
         response.success = request.data != self.waving
         self.waving = request.data
         doing = "waving" if self.waving else "standing still"
@@ -44,7 +44,7 @@ class WavesWhenAsked(Node):
         return response
 
     def publish_joint_positions(self) -> None:
-        """Report where the joints are now."""
+        """Publish the current joint angles."""
         pose = list(AT_REST)
         if self.waving:
             seconds = self.get_clock().now().nanoseconds / 1e9
@@ -54,7 +54,7 @@ class WavesWhenAsked(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(WavesWhenAsked())

@@ -1,4 +1,4 @@
-"""Small programs that spin one node, well or badly. Lesson 06 shows each and runs it behind a watchdog.
+"""Spin one node in various ways, correctly or not. Lesson 06 shows each function and runs it with a watchdog.
 
 Run one with ``python -m lesson_nodes.ways_to_spin no_timeout``; numbers after the name are its arguments.
 """
@@ -31,13 +31,13 @@ def with_timeout(node: Node, timeout_s: float) -> None:
 
 
 def busy_s() -> float:
-    """Seconds in which this thread ran or waited for a processor. The rest of the time, it slept."""
+    """Return the time (s) in which this thread ran or waited for a processor. The rest of the time, it slept."""
     ran_ns, waited_ns, _ = Path("/proc/self/schedstat").read_text().split()
     return (int(ran_ns) + int(waited_ns)) / 1e9
 
 
 def twenty_ticks(node: Node, timeout_s: float) -> None:
-    """Serve a timer until it has ticked twenty times, and print iterations, seconds, and seconds without sleep."""
+    """Spin until a timer has ticked twenty times. Print the iterations, the seconds, and the seconds without sleep."""
     ticks = []
     node.create_timer(0.1, lambda: ticks.append(1))
     iterations, busy, begin = 0, busy_s(), time.monotonic()
@@ -48,7 +48,7 @@ def twenty_ticks(node: Node, timeout_s: float) -> None:
 
 
 def park_after_round(node: Node) -> None:
-    """Make one round and call shutdown in the callback; park the arm in the line after spin."""
+    """Finish a round and call shutdown, both in the callback. Park the arm in the line after spin."""
 
     def finish() -> None:
         print("round finished")
@@ -89,7 +89,7 @@ def park_in_finally(node: Node) -> None:
 
 
 def wait_in_callback(node: Node) -> None:
-    """Wait for the map inside a callback: another callback of the same node delivers it."""
+    """Wait inside a callback for a map that another callback of the same node delivers."""
     map_is_there: Future = Future()
     node.create_timer(0.3, lambda: map_is_there.done() or map_is_there.set_result("a map"))
 
@@ -106,7 +106,7 @@ def wait_in_callback(node: Node) -> None:
 
 
 def go_on_later(node: Node) -> None:
-    """Say in the callback what to do when the map is there, and return."""
+    """Register in the callback what to do when the map arrives, and return."""
     map_is_there: Future = Future()
     node.create_timer(0.3, lambda: map_is_there.done() or map_is_there.set_result("a map"))
 
@@ -120,7 +120,7 @@ def go_on_later(node: Node) -> None:
 
 
 def rate_without_spin(node: Node) -> None:
-    """Sleep by a rate in the only thread."""
+    """Sleep with a rate in the only thread."""
     rate = node.create_rate(10)
     for _ in range(5):
         print("step")
@@ -168,7 +168,7 @@ def one_executor(node: Node) -> None:
 
 
 def thread_left_behind(node: Node) -> None:
-    """Leave a thread that spins to itself."""
+    """Return while another thread is still spinning."""
     node.create_timer(0.05, lambda: None)
     threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
     time.sleep(0.5)
@@ -176,7 +176,7 @@ def thread_left_behind(node: Node) -> None:
 
 
 def thread_ended(node: Node) -> None:
-    """End the thread that spins: first its executor, then the thread."""
+    """Shut down the executor, then wait for the spinning thread to end."""
     node.create_timer(0.05, lambda: None)
     executor = SingleThreadedExecutor()
     executor.add_node(node)
@@ -184,13 +184,13 @@ def thread_ended(node: Node) -> None:
     thread.start()
     time.sleep(0.5)
     print("the work is done")
-    executor.shutdown()  # spin returns
-    thread.join()  # wait until it has
+    executor.shutdown()  # makes spin return
+    thread.join()  # waits until it has returned
     rclpy.shutdown()
 
 
 def busy_timer(node: Node, slice_s: float) -> None:
-    """Spin for 2 s beside a timer that is always due. `slice_s`: the timeout; 0 means all the time that is left."""
+    """Spin for 2 s with a timer that is always due. `slice_s` is the timeout (s); 0 means all of the remaining time."""
     heard: list[str] = []
     node.create_timer(0.01, lambda: time.sleep(0.02))
 
@@ -203,7 +203,7 @@ def busy_timer(node: Node, slice_s: float) -> None:
         time.sleep(0.01)
     for word in ("stop", "wait", "turn", "wave", "walk"):
         publisher.publish(String(data=word))
-    time.sleep(0.2)  # by now the words are there, and the timer is overdue
+    time.sleep(0.2)  # by now, the words have arrived, and the timer is overdue
     end = time.monotonic() + 2.0
     while (left := end - time.monotonic()) > 0:
         rclpy.spin_once(node, timeout_sec=slice_s or left)

@@ -54,7 +54,7 @@
 #
 # **Not judged:** SIGTERM, topics, the wording of the guard's log messages on its rounds, and how often the guard parks.
 # %% [answer]
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
+"""Simulate a guard that walks through the museum at night, and parks its arms when the night is over."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -78,12 +78,12 @@ class NightGuard(Node):
         self.get_logger().info(f"round {self.rounds}: all quiet")
 
     def park(self) -> None:
-        """Fold the arms, so that the motors can be switched off. Needs no ROS."""
+        """Fold the arms, so that the motors can be switched off. This doesn't use ROS."""
         print("arms parked", flush=True)
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the guard until Ctrl-C, park its arms, and leave with exit code 0."""
+    """Run the guard until Ctrl-C, park its arms, and exit with code 0."""
     rclpy.init(args=args)
     guard = NightGuard()
     # [solution]
@@ -96,10 +96,10 @@ def main(args: list[str] | None = None) -> None:
         guard.destroy_node()
         rclpy.try_shutdown()
     # [starter]
-    # | # TODO 1: Ctrl-C makes spin raise KeyboardInterrupt, SIGTERM ExternalShutdownException. Catch both.
+    # | # TODO 1: On Ctrl-C, spin raises KeyboardInterrupt; on SIGTERM, ExternalShutdownException. Catch both.
     # | rclpy.spin(guard)
-    # | # TODO 2: park the arms, however the spin ended
-    # | # TODO 3: take the node off the graph, and shut the context down if it is still up
+    # | # TODO 2: park the arms, no matter how spin ended
+    # | # TODO 3: remove the node from the graph, and shut the context down if it's still valid
     # [end]
 
 

@@ -57,7 +57,7 @@
 # **Not judged:** the content of the images, launch files, how your program ends, and the driver's code. The judge
 # sees only what the driver does, not whether you changed or copied it.
 # %% [answer]
-"""Two cameras on one robot, in front and in the back, with one driver."""
+"""Run two cameras on one robot, front and rear, with the same driver."""
 
 from typing import Any
 
@@ -68,9 +68,9 @@ from std_msgs.msg import String
 
 
 class CameraDriver(Node):
-    """The driver of the manufacturer, version 3.1. The next update replaces this class.
+    """Simulates the manufacturer's driver, version 3.1. The next update will replace this class.
 
-    `settings` go to the Node as they are: namespace, cli_args and so on.
+    `settings` are passed to Node unchanged. Examples are namespace and cli_args.
     """
 
     def __init__(self, **settings: Any) -> None:
@@ -82,30 +82,30 @@ class CameraDriver(Node):
         self.create_timer(1.0, self.report_faults)
 
     def take_picture(self) -> None:
-        """Publish the next picture."""
+        """Publish the next image's number."""
         self.frames += 1
         self.frame_publisher.publish(String(data=f"picture {self.frames}"))
 
     def report_faults(self) -> None:
-        """Say what is wrong with this camera."""
+        """Report this camera's faults."""
         self.fault_publisher.publish(String(data=f"{self.get_name()}: none"))
 
 
 def make_cameras() -> list[Node]:
-    """Make /robot/camera and /robot/rear_camera."""
+    """Create /robot/camera and /robot/rear_camera."""
     # [solution]
     front = CameraDriver(namespace="/robot")
     rear = CameraDriver(namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
     return [front, rear]
     # [starter]
     # | front = CameraDriver()  # TODO 1: put it into the namespace /robot
-    # | # TODO 2: make a second one there, remapped to the name rear_camera
+    # | # TODO 2: create a second camera there, remapped to the name rear_camera
     # | return [front]
     # [end]
 
 
 def main(args: list[str] | None = None) -> None:
-    """Let the cameras work until Ctrl-C."""
+    """Run the cameras until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     executor = SingleThreadedExecutor()
     for camera in make_cameras():

@@ -77,7 +77,7 @@
 # `complex`), and NumPy's bools, strings, and arrays. Starting and ending the program isn't judged either. There's no
 # `main()`, because other code creates and spins your node.
 # %% [answer]
-"""A node that reports the charge of the battery, and nothing but the charge."""
+"""Publish a battery's charge, and refuse every value that isn't a number."""
 
 # [solution]
 import math
@@ -89,7 +89,7 @@ from std_msgs.msg import Float32
 
 
 class BatteryPublisher(Node):
-    """Reports the charge of the battery whenever it is told one.
+    """Publishes the battery's charge whenever `publish_level` is called.
 
     Topics:
         /robot/battery (std_msgs/Float32): charge in percent.
@@ -104,10 +104,10 @@ class BatteryPublisher(Node):
         # [end]
 
     def publish_level(self, level: object) -> None:
-        """Send the charge in percent.
+        """Publish a charge in percent.
 
         Raises:
-            TypeError: `level` is no number.
+            TypeError: `level` is a bool, or isn't a number.
             ValueError: `level` is nan or infinite.
         """
         # [solution]
@@ -118,7 +118,7 @@ class BatteryPublisher(Node):
         self.battery_publisher.publish(Float32(data=float(level)))
         # [starter]
         # | # TODO 2: raise an error if level is not a number, not finite, or a bool
-        # | # TODO 3: make a Float32 message that holds level as a Python float, and publish it
+        # | # TODO 3: create a Float32 message that contains level as a Python float, and publish it
         # [end]
 # %% [live]
 # from lesson_nodes.level_desk import LevelDesk
@@ -128,7 +128,7 @@ class BatteryPublisher(Node):
 #
 # %start
 # init()
-# desk = fresh(LevelDesk, VALUES)  # asks for one call after the other, and writes down what arrives
+# desk = fresh(LevelDesk, VALUES)  # requests one call after another, and records the values that arrive
 # try:
 #     await run(desk, seconds=10, until=lambda: desk.done)
 # except TimeoutError:

@@ -68,7 +68,7 @@
 # **Not judged:** rates, how quickly an alarm is raised, repairing bad readings, and how your program ends on
 # Ctrl-C.
 # %% [answer]
-"""Subscribes to the battery sensor, passes on good readings, and raises an alarm for bad ones."""
+"""Check a battery sensor's readings: pass on good ones, and raise an alarm for bad ones."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -79,10 +79,10 @@ EMPTY, FULL = 0.0, 100.0
 
 
 class BatteryMonitor(Node):
-    """Checks each reading between the battery sensor and the rest of the robot.
+    """Checks each reading before the rest of the robot receives it.
 
     Subscriptions:
-        /robot/battery (std_msgs/Float32): charge in percent, as the sensor says it.
+        /robot/battery (std_msgs/Float32): charge in percent, as the sensor measures it.
 
     Topics:
         /monitor/battery (std_msgs/Float32): charge in percent, good readings only.
@@ -105,15 +105,15 @@ class BatteryMonitor(Node):
         # [solution]
         if EMPTY <= message.data <= FULL:
             self.battery_publisher.publish(message)
-        else:  # also when it is nan, which is not between any two numbers
+        else:  # this includes nan, which isn't between any two numbers
             self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
         # [starter]
-        # | # TODO 3: is message.data a charge from 0 to 100 %? Publish it, or else publish an alarm
+        # | # TODO 3: if message.data is a charge from 0 to 100 %, publish it; otherwise, publish an alarm
         # [end]
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BatteryMonitor())
@@ -129,7 +129,7 @@ if __name__ == "__main__":
 # from lesson_nodes.battery_desk import BatteryDesk
 # from workbook.lesson import fresh, init, run
 #
-# READINGS = [64.0, 63.5, -3.0, 63.0, 62.5]  # what the sensor says; try your own
+# READINGS = [64.0, 63.5, -3.0, 63.0, 62.5]  # the sensor's readings; try your own
 #
 # init()
 # desk = fresh(BatteryDesk, READINGS)  # while it's on the graph, the robot's own sensor pauses

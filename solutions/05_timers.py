@@ -61,7 +61,7 @@
 #
 # **Not judged:** real sensors, slow callbacks, other topics, and how your program ends on Ctrl-C.
 # %% [answer]
-"""The vital signs of a humanoid: heartbeat, battery and tilt, each in its own rhythm."""
+"""Publish a humanoid's vital signs: its heartbeat, battery charge, and tilt, each at its own rate."""
 
 import math
 
@@ -75,17 +75,17 @@ HEARTBEAT_PERIOD_S = 1.0  # 1 Hz
 BATTERY_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
 TILT_PERIOD_S = 0.2  # 5 Hz: five messages every second
 # [starter]
-# | # TODO 1: the battery reports at 0.5 Hz, the tilt at 5 Hz. How many seconds lie between two messages?
+# | # TODO 1: publish the battery at 0.5 Hz and the tilt at 5 Hz. What are the periods in seconds?
 # [end]
 
 
 class VitalSigns(Node):
-    """Reports that the robot lives, how much charge is left, and how far it leans.
+    """Publishes a sign of life, the battery's charge, and the body's tilt.
 
     Topics:
         /robot/heartbeat (std_msgs/String), 1 Hz: "alive".
         /robot/battery (std_msgs/Float32), 0.5 Hz: charge in percent, from 100.0 down to 0.0.
-        /robot/tilt (std_msgs/Float32), 5 Hz: lean of the body in rad.
+        /robot/tilt (std_msgs/Float32), 5 Hz: the body's tilt in rad.
     """
 
     def __init__(self) -> None:
@@ -104,29 +104,29 @@ class VitalSigns(Node):
         # [end]
 
     def publish_heartbeat(self) -> None:
-        """Say that the robot lives."""
+        """Publish a sign of life."""
         self.heartbeat_publisher.publish(String(data="alive"))
 
     # [solution]
     def publish_battery(self) -> None:
-        """Drain the simulated battery a little, never below empty, and report its charge."""
+        """Drain the simulated battery a little, but never below 0 %, and publish its charge."""
         self.battery_level = max(0.0, self.battery_level - 0.2)
         self.battery_publisher.publish(Float32(data=self.battery_level))
 
     def publish_tilt(self) -> None:
-        """Report how far the body leans now; it sways from side to side as the robot walks."""
+        """Publish the body's current tilt. The body sways from side to side as the robot walks."""
         seconds = self.get_clock().now().nanoseconds / 1e9
         self.tilt_publisher.publish(Float32(data=0.1 * math.sin(math.pi * seconds)))
 
     # [starter]
-    # | # TODO 4: write the two methods that your timers call. Each makes a Float32 message,
-    # | #         gives its data a float and publishes it.
+    # | # TODO 4: write the two methods that your timers call. Each creates a Float32 message,
+    # | #         sets its data to a float, and publishes it.
     # |
     # [end]
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(VitalSigns())

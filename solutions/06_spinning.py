@@ -62,7 +62,7 @@
 # **Not judged:** interrupting a running callback, multithreading, callbacks that raise exceptions, and simulated time.
 # (`seconds` is measured in real time, and the robots' clocks show real time, too.)
 # %% [answer]
-"""Spins a node for a given time."""
+"""Spin a node for a given time."""
 
 # [solution]
 import time
@@ -72,16 +72,16 @@ import rclpy
 from rclpy.node import Node
 
 # [solution]
-TURN_S = 0.05  # with the same timeout each time, the executor serves all that is ready before it starts again
+TURN_S = 0.05  # s; while the timeout stays the same, the executor runs everything that's ready before it starts over
 
 # [end]
 
 def pump(node: Node, seconds: float) -> None:
-    """Run the callbacks of a node for some time, then return.
+    """Run a node's callbacks for a given time, then return.
 
     Args:
-        node: The node that shall work. It is left as it is.
-        seconds: How long, in seconds of real time.
+        node: The node to spin. It isn't changed.
+        seconds: How long to spin, in seconds of real time.
     """
     # [solution]
     end = time.monotonic() + seconds

@@ -68,7 +68,7 @@
 # - your `main()`. The judge creates a `RobotReport` itself. It watches for only {{plan.simulated_s}} s, so it doesn't
 #   matter if the battery runs out later.
 # %% [answer]
-"""Report a humanoid's battery and status. Other code sends through this node, too, and wrong types are noticed."""
+"""Report a humanoid's battery and status. Other code publishes through this node, too, so it checks types."""
 
 # [solution]
 from typing import Literal, Protocol, TypeVar, get_args
@@ -110,7 +110,7 @@ def make_publisher(node: Node, kind: type[Message], topic: str, depth: int = 10)
 # |
 # [end]
 class RobotReport(Node):
-    """Report the battery's charge in percent and the robot's status as one word.
+    """Reports the battery's charge in percent and the robot's status as one word.
 
     Topics:
         /robot/battery (std_msgs/Float32), 1 Hz: charge in percent.
@@ -190,7 +190,7 @@ def main() -> None:
 # [starter]
 # | def main():
 # [end]
-    """Run the node until Ctrl-C or a request to shut down."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init()
     try:
         rclpy.spin(RobotReport())

@@ -64,7 +64,7 @@
 # **Not judged:** new topics, real batteries, signals other than the one that Ctrl-C sends, your log messages, and how
 # fast the battery drains. (If your battery lasts longer than the judge watches, the judge never sees it run out.)
 # %% [answer]
-"""A humanoid robot that reports its state once a second and its battery every two seconds."""
+"""Simulate a humanoid robot that publishes its status once a second and its battery charge every two seconds."""
 
 import random
 
@@ -85,7 +85,7 @@ DRAIN_PERCENT = (7.0, 10.0)  # a worn battery: empty within half a minute
 
 
 class HumanoidStatusPublisher(Node):
-    """Publishes the state of the robot and the charge of its battery.
+    """Publishes the robot's status and its battery charge.
 
     Topics:
         /robot/status (std_msgs/String), 1 Hz: "operational", or "error" once the battery is empty.
@@ -102,13 +102,13 @@ class HumanoidStatusPublisher(Node):
         self.get_logger().info("Humanoid status publisher started")
 
     def publish_status(self) -> None:
-        """Say whether the robot can work."""
+        """Publish whether the robot can work."""
         message = String(data="operational" if self.battery_level > 0.0 else "error")
         self.status_publisher.publish(message)
         self.get_logger().info(f"Status: {message.data}")
 
     def publish_battery(self) -> None:
-        """Drain the simulated battery a little, never below empty, and report its charge."""
+        """Drain the simulated battery a little, but never below 0 %, and publish its charge."""
         self.battery_level = max(0.0, self.battery_level - random.uniform(*DRAIN_PERCENT))
         # [solution]
         message = Float32(data=self.battery_level)
@@ -127,7 +127,7 @@ def main(args: list[str] | None = None) -> None:
     try:
         rclpy.spin(humanoid)
     except (KeyboardInterrupt, ExternalShutdownException):
-        pass  # somebody ended the program: that is no error
+        pass  # someone ended the program, which isn't an error
     finally:
         rclpy.try_shutdown()  # Ctrl-C may have shut the context down already
     # [starter]

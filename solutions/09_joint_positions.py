@@ -71,7 +71,7 @@
 #   fine.)
 # - how your program ends on Ctrl-C
 # %% [answer]
-"""The humanoid status publisher: state, battery and the angles of twelve joints."""
+"""Simulate a humanoid robot that publishes its status, its battery charge, and the angles of its twelve joints."""
 
 import math
 import random
@@ -94,12 +94,12 @@ DRAIN_PERCENT = (0.1, 0.5)
 JOINT_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
 JOINT_COUNT = 12
 SWING_RAD = 0.4
-SWING_PERIOD_S = 9.0  # not 2.0, or every message would catch the same pose
+SWING_PERIOD_S = 9.0  # not 2.0, because then every message would contain the same pose
 # [end]
 
 
 class HumanoidStatusPublisher(Node):
-    """Publishes the state of the robot, the charge of its battery and the angles of its joints.
+    """Publishes the robot's status, its battery charge, and its joint angles.
 
     Topics:
         /robot/status (std_msgs/String), 1 Hz: "operational", or "error" once the battery is empty.
@@ -122,28 +122,28 @@ class HumanoidStatusPublisher(Node):
         # [solution]
         self.joint_timer = self.create_timer(JOINT_PERIOD_S, self.publish_joint_positions)
         # [starter]
-        # | # TODO 3: create a timer for 0.5 Hz. How many seconds lie between two messages?
+        # | # TODO 3: create a timer for 0.5 Hz. What's the period in seconds?
         # [end]
         self.get_logger().info("Humanoid status publisher started")
 
     def publish_status(self) -> None:
-        """Say whether the robot can work."""
+        """Publish whether the robot can work."""
         message = String(data="operational" if self.battery_level > 0.0 else "error")
         self.status_publisher.publish(message)
         self.get_logger().info(f"Status: {message.data}")
 
     def publish_battery(self) -> None:
-        """Drain the simulated battery a little, never below empty, and report its charge."""
+        """Drain the simulated battery a little, but never below 0 %, and publish its charge."""
         self.battery_level = max(0.0, self.battery_level - random.uniform(*DRAIN_PERCENT))
         self.battery_publisher.publish(Float32(data=self.battery_level))
         self.get_logger().info(f"Battery: {self.battery_level:.1f} %")
 
     # [solution]
     def joint_angles(self) -> list[float]:
-        """Simulate the joints: each swings around zero, a little later than the one before it.
+        """Simulate the joints: each one swings around zero, a little later than the previous joint.
 
-        The angles follow the node's clock and not a count of messages. So the robot moves at its own pace,
-        and a faster timer shows the same movement in finer steps.
+        The angles depend on the node's clock, not on a count of messages. So a faster timer doesn't speed up
+        the robot, but publishes the same movement in finer steps.
 
         Returns:
             12 angles in radians, each within ±0.4.
@@ -155,19 +155,19 @@ class HumanoidStatusPublisher(Node):
         ]
 
     def publish_joint_positions(self) -> None:
-        """Report where the joints are now."""
+        """Publish the current joint angles."""
         message = Float32MultiArray(data=self.joint_angles())
         self.joint_publisher.publish(message)
         self.get_logger().info(f"Joints: {', '.join(f'{angle:.2f}' for angle in message.data)} rad")
 
     # [starter]
-    # | # TODO 4: write the method that the new timer calls. It makes a message, puts 12 angles
-    # | #         in radians into its data field (let them move!) and publishes it.
+    # | # TODO 4: write the method that the new timer calls. It creates a message, puts 12 angles
+    # | #         in radians (let them move!) into the data field, and publishes the message.
     # |
     # [end]
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(HumanoidStatusPublisher())

@@ -82,7 +82,7 @@ LINK_M = 0.4  # upper arm and forearm are equally long
 
 
 class ElbowPlanner:
-    """Find the elbow's bend that brings the hand to a distance from the shoulder. Don't change this class.
+    """Finds the elbow's bend that brings the hand to a distance from the shoulder. Don't change this class.
 
     Each step halves the range in which the bend must lie. A planner holds one search: begin the next one only when the
     previous one has finished.
@@ -118,7 +118,7 @@ class ElbowPlanner:
 
 
 class TeaRobot(Node):
-    """Publish ten heartbeats a second, and plan the elbow's bend on request.
+    """Publishes ten heartbeats a second, and plans the elbow's bend on request.
 
     Topics:
         /robot/heartbeat (std_msgs/String), 10 Hz: "alive".
@@ -160,7 +160,7 @@ class TeaRobot(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         # [solution]

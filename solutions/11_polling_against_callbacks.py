@@ -71,7 +71,7 @@ from std_msgs.msg import Int32
 
 
 class TouchMonitor(Node):
-    """Report each touch of the hand.
+    """Reports each touch of the hand.
 
     Topics:
         /monitor/seen (std_msgs/Int32): the touch's number.
@@ -110,7 +110,7 @@ class TouchMonitor(Node):
 
 # [solution]
 def main(args: list[str] | None = None) -> None:
-    """Run the monitor until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the monitor until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(TouchMonitor())
@@ -128,7 +128,7 @@ def main(args: list[str] | None = None) -> None:
 # |
 # |
 # | def main(args: list[str] | None = None) -> None:
-# |     """Poll until Ctrl-C or a request to end, then leave with exit code 0."""
+# |     """Poll until Ctrl-C or SIGTERM, then exit with code 0."""
 # |     rclpy.init(args=args)
 # |     monitor = TouchMonitor()
 # |     receiving = threading.Thread(target=receive, args=(monitor,))

@@ -96,7 +96,7 @@ ASK_PERIOD_S = 1.0
 
 
 class HealthMonitor(Node):
-    """Request a self-test once a second, and report each result.
+    """Requests a self-test once a second, and reports each result.
 
     Topics:
         /robot/heartbeat (std_msgs/String), 5 Hz: "alive".
@@ -153,7 +153,7 @@ class HealthMonitor(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(HealthMonitor())

@@ -77,7 +77,7 @@
 # - whether the alarm is published more often than it changes
 # - how your program ends
 # %% [answer]
-"""A dashboard that may start late: it shows the last status at once, and notices when the heartbeat stops."""
+"""Show a robot's last status, even after a late start, and raise an alarm when its heartbeat stops."""
 
 # [solution]
 import time
@@ -104,39 +104,39 @@ BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 
 
 class Dashboard(Node):
-    """Shows the last status of the robot, and raises an alarm when its heart is silent."""
+    """Shows the robot's last status, and raises an alarm when its heartbeat stops."""
 
     def __init__(self) -> None:
         super().__init__("dashboard")
         self.last_status = "unknown"
         self.line_publisher = self.create_publisher(String, "/dashboard/line", 10)
         # [solution]
-        self.last_beat = time.monotonic()  # none yet: a heart that never beats counts like one that stops
+        self.last_beat = time.monotonic()  # the silence before the first beat counts, too
         self.alarm: bool | None = None
         self.alarm_publisher = self.create_publisher(Bool, "/dashboard/alarm", STATE_QOS)
         self.create_subscription(String, "/robot/status", self.on_status, STATE_QOS)
         self.create_subscription(String, "/robot/heartbeat", self.on_beat, BEAT_QOS)
         self.create_timer(LOOK_PERIOD_S, self.look_at_the_clock)
         # [starter]
-        # | # TODO 1: ask for earlier messages, too
+        # | # TODO 1: request earlier messages, too
         # | self.create_subscription(String, "/robot/status", self.on_status, 10)
-        # | # TODO 2: subscribe to /robot/heartbeat, and note when the last beat came
+        # | # TODO 2: subscribe to /robot/heartbeat, and record when the last beat arrived
         # | # TODO 3: publish /dashboard/alarm (Bool), kept for late subscriptions
-        # | # TODO 4: notice the silence: what calls your code when no message comes?
+        # | # TODO 4: detect the silence: what calls your code when no message arrives?
         # [end]
         self.create_timer(LINE_PERIOD_S, self.publish_line)
 
     def on_status(self, message: String) -> None:
-        """Remember the status."""
+        """Store the status."""
         self.last_status = message.data
 
     # [solution]
     def on_beat(self, message: String) -> None:
-        """Remember when the last beat came."""
+        """Record when the last beat arrived."""
         self.last_beat = time.monotonic()
 
     def look_at_the_clock(self) -> None:
-        """Raise the alarm when the last beat is long ago, and end it when it is not."""
+        """Raise the alarm if the last beat was more than 2 s ago, and end it after a new beat."""
         alarm = time.monotonic() - self.last_beat > LONGEST_SILENCE_S
         if alarm != self.alarm:
             self.alarm = alarm
@@ -144,12 +144,12 @@ class Dashboard(Node):
 
     # [end]
     def publish_line(self) -> None:
-        """Show what is known."""
+        """Publish the last status."""
         self.line_publisher.publish(String(data=self.last_status))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(Dashboard())

@@ -141,14 +141,14 @@ from sensor_msgs.msg import JointState
 
 # [solution]
 RATE_HZ = 20.0
-CUTOFF_HZ = 1.5  # movements slower than this pass, noise faster than this does not
+CUTOFF_HZ = 1.5  # slower motion passes; faster noise is reduced
 FILTER = butter(2, CUTOFF_HZ, fs=RATE_HZ, output="sos")
-AT_REST = sosfilt_zi(FILTER)  # the state of the filter after a long time at 1.0
+AT_REST = sosfilt_zi(FILTER)  # the filter's state after a long time with the constant input 1.0
 # [end]
 
 
 class JointFilter(Node):
-    """Reduces the noise in the angles of all joints.
+    """Reduces the noise in all joint angles.
 
     Subscriptions:
         /encoders/joint_states (sensor_msgs/JointState): angles in radians, as the encoders measure them.
@@ -192,7 +192,7 @@ class JointFilter(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(JointFilter())

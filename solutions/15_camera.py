@@ -93,7 +93,7 @@
 # | delay | at least half of the answers come within {{TYPICALLY_S}} s of their image, and nine of ten within {{AT_ONCE_S}} s |
 # | good light | at least {{BRIGHT %}} of full daylight, and no padding |
 # %% [answer]
-"""Looks at the pictures of a camera, and publishes in which direction the orange ball lies."""
+"""Find the orange ball in a camera's images, and publish its direction."""
 
 import math
 
@@ -107,17 +107,17 @@ from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
 
 FOCAL = 140.0  # pixels
-CENTER = (79.5, 59.5)  # column and row that look straight ahead
+CENTER = (79.5, 59.5)  # column and row of a point straight ahead
 # [solution]
-ORANGE = ((4, 130, 35), (22, 255, 255))  # hue (0 to 180), saturation, brightness
+ORANGE = ((4, 130, 35), (22, 255, 255))  # hue (0 to 179), saturation, value
 TO_HSV = {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": cv2.COLOR_BGR2HSV}
 SMALLEST = 25  # pixels
-ROUND = 0.75  # share of the smallest circle around it that a ball fills
+ROUND = 0.75  # a ball fills at least this share of its enclosing circle
 # [end]
 
 
 def find_ball(image: Image) -> tuple[float, float] | None:
-    """Column and row of the middle of the ball; None if there is no ball in the picture."""
+    """Return the column and row of the ball's center; None if there's no ball in the image."""
     # [solution]
     rows = np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)
     pixels = rows[:, : 3 * image.width].reshape(image.height, image.width, 3)
@@ -132,14 +132,14 @@ def find_ball(image: Image) -> tuple[float, float] | None:
             return sums["m10"] / sums["m00"], sums["m01"] / sums["m00"]
     return None
     # [starter]
-    # | # TODO 1: turn image.data into pixels; mind image.step and image.encoding
+    # | # TODO 1: turn image.data into pixels, using image.step and image.encoding
     # | # TODO 2: find the orange pixels, and the round outline among them
     # | return CENTER
     # [end]
 
 
 def direction(column: float, row: float) -> list[float]:
-    """Where a pixel looks: a vector of length 1; x to the right, y down, z forward."""
+    """Return a pixel's direction as a vector of length 1: x points right, y down, z forward."""
     # [solution]
     x, y = (column - CENTER[0]) / FOCAL, (row - CENTER[1]) / FOCAL
     length = math.sqrt(x * x + y * y + 1.0)
@@ -151,10 +151,10 @@ def direction(column: float, row: float) -> list[float]:
 
 
 class BallTracker(Node):
-    """Says for each picture in which direction the ball lies.
+    """Publishes the ball's direction for each image.
 
     Subscriptions:
-        /camera/image (sensor_msgs/Image): pictures, rgb8 or bgr8.
+        /camera/image (sensor_msgs/Image): images, rgb8 or bgr8.
 
     Topics:
         /robot/ball_direction (geometry_msgs/Vector3Stamped): a vector of length 1, or (0, 0, 0) for no ball.
@@ -166,7 +166,7 @@ class BallTracker(Node):
         self.create_subscription(Image, "/camera/image", self.on_image, qos_profile_sensor_data)
 
     def on_image(self, image: Image) -> None:
-        """Find the ball in one picture, and publish its direction at once."""
+        """Find the ball in an image, and publish its direction right away."""
         # [solution]
         if image.encoding not in TO_HSV:
             self.get_logger().error(f"I cannot read {image.encoding}", throttle_duration_sec=1.0)
@@ -187,7 +187,7 @@ class BallTracker(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BallTracker())

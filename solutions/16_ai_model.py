@@ -112,7 +112,7 @@
 # | continues | at most {{PAUSE_S}} s after the glare, the node publishes detections again |
 # | fall | `error` comes at most {{FALL_WITHIN_S}} s after the tenth tilted sample |
 # %% [answer]
-"""Looks at the desk with a slow model, keeps its heartbeat, and says when the robot has fallen."""
+"""Detect toys with a slow model, keep the heartbeat regular, and report when the robot has fallen."""
 
 import math
 # [solution]
@@ -132,12 +132,12 @@ from visualization_msgs.msg import Marker, MarkerArray
 from workbook.models import Detection
 from workbook.models.slow import SlowDetector
 
-TILT_DEG = 60.0  # a sample that is tilted by more than that ...
-TILTED_SAMPLES = 10  # ... and so many in a row: the robot has fallen
+TILT_DEG = 60.0  # a sample with more tilt than this counts as tilted
+TILTED_SAMPLES = 10  # after this many in a row, the robot has fallen
 
 
 def to_markers(found: list[Detection], header: Header) -> MarkerArray:
-    """A marker for each detection, with the header of the picture that it was found in. Leave it as it is."""
+    """Return a marker for each detection, with its image's header. Don't change this function."""
     message = MarkerArray()
     for number, one in enumerate(found):
         marker = Marker(header=header, ns=one.label, id=number)
@@ -149,20 +149,20 @@ def to_markers(found: list[Detection], header: Header) -> MarkerArray:
 
 
 def tilt(sample: Imu) -> float:
-    """How far the robot is tilted (°): 0 is upright, 90 lies on its side. Leave it as it is."""
+    """Return the robot's tilt (°): 0 is upright, and 90 is lying on its side. Don't change this function."""
     up = sample.linear_acceleration
     return math.degrees(math.atan2(math.hypot(up.x, up.y), up.z))
 
 
 class DeskWatcher(Node):
-    """Says what is on the desk, and whether the robot has fallen.
+    """Publishes the toys on the desk, and whether the robot has fallen.
 
     Subscriptions:
-        /camera/image (sensor_msgs/Image): pictures, bgr8.
-        /robot/imu (sensor_msgs/Imu): acceleration, 50 Hz.
+        /camera/image (sensor_msgs/Image): images, bgr8.
+        /robot/imu (sensor_msgs/Imu): acceleration in m/s², 50 Hz.
 
     Topics:
-        /robot/detections (visualization_msgs/MarkerArray): what was found in a picture.
+        /robot/detections (visualization_msgs/MarkerArray): a message per image, with a marker for each toy.
         /robot/status (std_msgs/String), 10 Hz: "operational", or "error" after a fall.
     """
 
@@ -189,25 +189,25 @@ class DeskWatcher(Node):
 
     def on_image(self, image: Image) -> None:
         # [solution]
-        """Keep the newest picture, and forget the one that still waits."""
+        """Store the newest image, and discard the previous one if it's still waiting."""
         with suppress(queue.Empty):
             self.newest.get_nowait()
         self.newest.put_nowait(image)
         # [starter]
-        # | """Say what is in one picture."""
+        # | """Detect the toys in an image."""
         # | # TODO 2: process only the newest image
         # | self.answer(image)
         # [end]
 
     # [solution]
     def look(self) -> None:
-        """Look at the newest picture, again and again, in a thread of its own."""
+        """Process the newest image, again and again, in a separate thread."""
         while rclpy.ok():
             self.answer(self.newest.get())
 
     # [end]
     def answer(self, image: Image) -> None:
-        """Publish what the model finds in a picture."""
+        """Publish the model's detections in an image."""
         pixels = np.frombuffer(image.data, np.uint8).reshape(image.height, image.width, 3)
         # [solution]
         try:
@@ -222,7 +222,7 @@ class DeskWatcher(Node):
         self.detection_publisher.publish(to_markers(found, image.header))
 
     def on_imu(self, sample: Imu) -> None:
-        """Notice a fall."""
+        """Detect a fall."""
         # [solution]
         self.tilted = self.tilted + 1 if tilt(sample) > TILT_DEG else 0
         self.fallen = self.fallen or self.tilted >= TILTED_SAMPLES
@@ -241,7 +241,7 @@ class DeskWatcher(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(DeskWatcher())

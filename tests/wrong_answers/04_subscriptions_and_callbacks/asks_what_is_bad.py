@@ -3,7 +3,7 @@
 # cause: bad-kept-back.passed-on
 # replaces: if EMPTY <= message.data <= FULL:
 # replaces:     self.battery_publisher.publish(message)
-# replaces: else:  # also when it is nan, which is not between any two numbers
+# replaces: else:  # this includes nan, which isn't between any two numbers
 # replaces:     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
 if message.data < EMPTY or message.data > FULL:
     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))

@@ -10,7 +10,7 @@ def on_battery(self) -> None:
 
 # replaces: if EMPTY <= message.data <= FULL:
 # replaces:     self.battery_publisher.publish(message)
-# replaces: else:  # also when it is nan, which is not between any two numbers
+# replaces: else:  # this includes nan, which isn't between any two numbers
 # replaces:     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
 if EMPTY <= self.charge <= FULL:
     self.battery_publisher.publish(Float32(data=self.charge))

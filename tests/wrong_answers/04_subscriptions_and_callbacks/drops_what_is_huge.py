@@ -1,5 +1,5 @@
 # Takes more than a million for noise, and says nothing about it.
 # loses: one_alarm
 # cause: one-alarm.kinds-missed
-# replaces: else:  # also when it is nan, which is not between any two numbers
+# replaces: else:  # this includes nan, which isn't between any two numbers
 elif not 1e6 < abs(message.data) < float("inf"):

@@ -6,7 +6,7 @@ self.broken = False
 
 # replaces: if EMPTY <= message.data <= FULL:
 # replaces:     self.battery_publisher.publish(message)
-# replaces: else:  # also when it is nan, which is not between any two numbers
+# replaces: else:  # this includes nan, which isn't between any two numbers
 # replaces:     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
 good = EMPTY <= message.data <= FULL
 self.broken = self.broken or not good

@@ -2,5 +2,5 @@
 # loses: clean
 # cause: mypy-clean.silenced
 # says: # mypy: ignore-errors
-# before: """Report a humanoid's battery and status. Other code sends through this node, too, and wrong types are noticed."""
+# before: """Report a humanoid's battery and status. Other code publishes through this node, too, so it checks types."""
 # mypy: ignore-errors

@@ -4,7 +4,7 @@
 # replaces: try:
 # replaces:     rclpy.spin(humanoid)
 # replaces: except (KeyboardInterrupt, ExternalShutdownException):
-# replaces:     pass  # somebody ended the program: that is no error
+# replaces:     pass  # someone ended the program, which isn't an error
 # replaces: finally:
 # replaces:     rclpy.try_shutdown()  # Ctrl-C may have shut the context down already
 while True:

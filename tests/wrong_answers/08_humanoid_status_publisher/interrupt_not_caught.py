@@ -2,4 +2,4 @@
 # loses: ends_cleanly
 # cause: exits-cleanly.interrupt-not-caught
 # replaces: except (KeyboardInterrupt, ExternalShutdownException):
-# replaces:     pass  # somebody ended the program: that is no error
+# replaces:     pass  # someone ended the program, which isn't an error

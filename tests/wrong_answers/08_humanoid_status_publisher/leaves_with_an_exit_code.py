@@ -5,5 +5,5 @@
 # after: import random
 import sys
 
-# replaces: pass  # somebody ended the program: that is no error
+# replaces: pass  # someone ended the program, which isn't an error
 sys.exit(1)

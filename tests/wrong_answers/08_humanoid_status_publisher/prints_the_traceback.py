@@ -4,5 +4,5 @@
 # after: import random
 import traceback
 
-# replaces: pass  # somebody ended the program: that is no error
+# replaces: pass  # someone ended the program, which isn't an error
 traceback.print_exc()

@@ -4,6 +4,6 @@
 # after: import random
 import time
 
-# replaces: pass  # somebody ended the program: that is no error
+# replaces: pass  # someone ended the program, which isn't an error
 time.sleep(0.5)
 humanoid.status_publisher.publish(String(data="error"))

@@ -5,7 +5,7 @@
 # after: import random
 import time
 
-# replaces:     pass  # somebody ended the program: that is no error
+# replaces:     pass  # someone ended the program, which isn't an error
 # replaces: finally:
 # replaces:     rclpy.try_shutdown()  # Ctrl-C may have shut the context down already
     time.sleep(0.5)

@@ -3,7 +3,7 @@
 # also: no_ball_said
 # skips: light_changes, padding_right
 # cause: direction.beside, direction.earlier-picture
-# after: ROUND = 0.75  # share of the smallest circle around it that a ball fills
+# after: ROUND = 0.75  # a ball fills at least this share of its enclosing circle
 FOUND = bytes.fromhex(
     "553354335333523350334f334e334c334b334933483346334433433341333f333d343c343a34383437343534333432353135"
     "2f352e352d352c352b352a36293629362836283628375637553754375237513750384e384d384b3849384838463944394239"
@@ -16,7 +16,7 @@ FOUND = bytes.fromhex(
 )  # column and row for each picture; 0 and 0 for no ball
 # after: super().__init__("ball_tracker")
 self.count = 0
-# after: """Find the ball in one picture, and publish its direction at once."""
+# after: """Find the ball in an image, and publish its direction right away."""
 self.count += 1
 # replaces: ball = find_ball(image)
 column, row = FOUND[2 * self.count - 2 : 2 * self.count]

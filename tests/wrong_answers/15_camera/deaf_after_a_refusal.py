@@ -3,7 +3,7 @@
 # cause: keeps-up.silent-since
 # after: super().__init__("ball_tracker")
 self.broken = False
-# after: """Find the ball in one picture, and publish its direction at once."""
+# after: """Find the ball in an image, and publish its direction right away."""
 if self.broken:
     return
 # after: self.get_logger().error(f"I cannot read {image.encoding}", throttle_duration_sec=1.0)

@@ -1,5 +1,5 @@
 # Takes leaning for a fall.
 # loses: fall_reported
 # cause: fall-reported.on-leaning
-# replaces: TILT_DEG = 60.0  # a sample that is tilted by more than that ...
+# replaces: TILT_DEG = 60.0  # a sample with more tilt than this counts as tilted
 TILT_DEG = 30.0
