@@ -22,7 +22,7 @@ DIRECTION = topic("/robot/ball_direction", Vector3Stamped)
 
 RATE_HZ, BEGIN_S, PICTURES = 30.0, 0.5, 195
 FOCAL_PIXELS = 140.0
-CENTER = complex(79.5, 59.5)  # column and row that look straight ahead
+CENTER = complex(79.5, 59.5)  # the column and row that are straight ahead
 BALL_RADIUS_M = 0.04
 WITHIN_DEG, LENGTH_SLACK, LEAST_SHARE = 1.0, 0.02, 0.8
 TYPICALLY_S, AT_ONCE_S, SHARE_AT_ONCE = 0.1, 0.4, 0.9

@@ -42,7 +42,7 @@ class BatterySensor(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the sensor until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the sensor until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(BatterySensor())

@@ -36,7 +36,7 @@ class PumpUser(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Give orders until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Give orders until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(PumpUser())

@@ -31,7 +31,7 @@ class Guest(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Ask until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Ask until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(Guest())

@@ -35,7 +35,7 @@ class Skin(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the skin until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the skin until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(Skin())

@@ -35,7 +35,7 @@ class SelfTestingRobot(SelfTestServer):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the robot until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the robot until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(SelfTestingRobot())

@@ -9,7 +9,7 @@ BEATS_FOR_S, SILENT_FOR_S = 5.0, 4.0
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the robot until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the robot until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(Heartbeat(BEATS_FOR_S, SILENT_FOR_S))

@@ -10,7 +10,7 @@ WIDTH = 160
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the camera until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the camera until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(HeadCamera(parameter_overrides=[Parameter("width", value=WIDTH)]))

@@ -77,7 +77,7 @@ class RobotSensors(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the sensors until Ctrl-C or a request to end, then leave with exit code 0."""
+    """Run the sensors until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(RobotSensors())

@@ -42,8 +42,8 @@ predict("a-burst-of-pictures")
 # %% [markdown]
 # ## Run it
 #
-# The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). It starts its burst half a second after
-# it has discovered a subscription. We try three depths, and then depth 1 again with tiny images of 1 kB. For each
+# The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). Every half second, it checks for a
+# subscription, and once it finds one, it starts its burst. We try three depths, and then depth 1 again with tiny images of 1 kB. For each
 # setting, we run three bursts and print how many images arrived in the worst one.
 #
 # [the same without helpers: init, fresh, start, spin_for, record]
