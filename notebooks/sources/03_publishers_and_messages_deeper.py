@@ -43,8 +43,8 @@ predict("a-burst-of-pictures")
 # ## Run it
 #
 # The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). Every half second, it checks for a
-# subscription, and once it finds one, it starts its burst. We try three depths, and then depth 1 again with tiny images of 1 kB. For each
-# setting, we run three bursts and print how many images arrived in the worst one.
+# subscription, and once it finds one, it starts its burst. We try three depths, and then depth 1 again with tiny images
+# of 1 kB. For each setting, we run three bursts and print how many images arrived in the worst one.
 #
 # [the same without helpers: init, fresh, start, spin_for, record]
 

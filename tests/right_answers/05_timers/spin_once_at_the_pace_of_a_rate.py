@@ -45,7 +45,7 @@ class VitalSigns(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C or SIGTERM, then exit with code 0."""
+    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
     rclpy.init(args=args)
     try:
         node = VitalSigns()

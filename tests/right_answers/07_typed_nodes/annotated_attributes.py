@@ -67,7 +67,7 @@ class RobotReport(Node):
 
 
 def main() -> None:
-    """Run the node until Ctrl-C or SIGTERM."""
+    """Run the node until Ctrl-C or a request to end."""
     rclpy.init()
     try:
         rclpy.spin(RobotReport())
