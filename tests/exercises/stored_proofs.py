@@ -3,16 +3,23 @@
 `python -m tests.exercises.stored_proofs` proves every answer that has no recording, or whose text has changed since. It
 stores the recordings, and passes options such as `-k 05_timers` to pytest.
 
+A recording is out of date if its program's code has changed. Comments and docstrings don't count: `CODE` has a hash of
+each program without them.
+
 Times are rounded to a microsecond, and the machine's paths are replaced. All answers with the same seed get the same
 values from the judge, so these are stored once.
 """
 
+import ast
+import hashlib
+import io
 import json
 import lzma
 import os
 import re
 import subprocess
 import sys
+import tokenize
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +30,7 @@ from workbook.recording.recording import Recording
 
 ROOT = course_folder()
 FOLDER = Path(__file__).parent / "recordings"
+CODE = "code.json"
 COMMAND = "python -m tests.exercises.stored_proofs"
 WANTED = "WORKBOOK_STORE_PROOFS"
 NOT_STORED = ROOT / "artifacts" / "proofs_not_stored.txt"
@@ -35,6 +43,47 @@ LARGEST = 100_000
 DIGITS = 6  # digits of a second
 SAID_BY_PROGRAMS = ("value", "request", "response")
 Key = tuple[str, str]
+
+
+def hash_of_code(text: str) -> str:
+    """Return a hash of a program without its comments, docstrings, and empty lines. It's the same for any Python."""
+    lines = text.splitlines()
+    try:
+        tree = ast.parse(text)
+        tokens = [*tokenize.generate_tokens(io.StringIO(text).readline)]
+    except (SyntaxError, tokenize.TokenError):
+        return _hash(text)
+    for token in tokens:
+        if token.type == tokenize.COMMENT:
+            row, column = token.start
+            lines[row - 1] = lines[row - 1][:column]
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+            first = node.body[0] if node.body else None
+            if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
+                assert first.end_lineno is not None
+                for row in range(first.lineno, first.end_lineno + 1):
+                    lines[row - 1] = ""
+    return _hash("\n".join(line.rstrip() for line in lines if line.strip()))
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def stored_code() -> dict[Key, str]:
+    """Return the hash of the code of each answer that has a recording."""
+    path = FOLDER / CODE
+    stored = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    return {(stem, name): code for stem, names in stored.items() for name, code in names.items()}
+
+
+def keep_code(codes: dict[Key, str]) -> None:
+    """Store the hashes."""
+    by_stem: dict[str, dict[str, str]] = {}
+    for stem, name in sorted(codes):
+        by_stem.setdefault(stem, {})[name] = codes[stem, name]
+    (FOLDER / CODE).write_text(json.dumps(by_stem, indent=1) + "\n", encoding="utf-8")
 
 
 def is_wanted() -> bool:
@@ -144,19 +193,21 @@ def _without_paths(data: Any) -> Any:
     return json.loads(text)
 
 
-def stale(tests: list[tuple[str, Key]]) -> list[str]:
-    """Return the tests of answers that have no recording, or only one of an older text."""
+def stale(tests: list[tuple[str, Key]]) -> list[tuple[str, Key]]:
+    """Return the tests of answers that have no recording, or only one of older code."""
     from tests.exercises.proofs import answer_of
 
-    def is_kept(key: Key) -> bool:
-        path = path_of(key)
-        return path.is_file() and load(path)[0] == answer_of(key)[0].sha256
-
-    return [test for test, key in tests if not is_kept(key)]
+    codes = stored_code()
+    return [
+        (test, key)
+        for test, key in tests
+        if not path_of(key).is_file() or codes.get(key) != hash_of_code(answer_of(key)[0].text)
+    ]
 
 
 def main() -> int:
     """Prove the answers without a current recording, and store their recordings. Return pytest's exit code."""
+    from tests.exercises.proofs import answer_of
     from tests.exercises.test_proofs import tests_of_answers
 
     for path in stored():
@@ -169,9 +220,16 @@ def main() -> int:
         print("Every answer has its recording.")
         return 0
     listed = NOT_STORED.with_name("proofs_to_record.txt")
-    listed.write_text("".join(f"{test}\n" for test in wanted), encoding="utf-8")
+    listed.write_text("".join(f"{test}\n" for test, _ in wanted), encoding="utf-8")
     command = [sys.executable, "-m", "pytest", "-q", f"@{listed}", *sys.argv[1:]]
-    return subprocess.run(command, cwd=ROOT, env={**os.environ, WANTED: "1"}, check=False).returncode
+    done = subprocess.run(command, cwd=ROOT, env={**os.environ, WANTED: "1"}, check=False)
+    codes = {key: code for key, code in stored_code().items() if path_of(key).is_file()}
+    for _, key in wanted:
+        answer, _ = answer_of(key)
+        if path_of(key).is_file() and load(path_of(key))[0] == answer.sha256:
+            codes[key] = hash_of_code(answer.text)
+    keep_code(codes)
+    return done.returncode
 
 
 if __name__ == "__main__":

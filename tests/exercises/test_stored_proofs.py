@@ -10,7 +10,16 @@ import pytest
 from tests.exercises import stored_proofs
 from tests.exercises.expected import differences, lost
 from tests.exercises.proofs import SOLUTION, STARTER, STEMS, Key, answer_of, answers
-from tests.exercises.stored_proofs import COMMAND, key_of, load, path_of, store, stored
+from tests.exercises.stored_proofs import (
+    COMMAND,
+    hash_of_code,
+    key_of,
+    load,
+    path_of,
+    store,
+    stored,
+    stored_code,
+)
 from workbook.authoring.wrong_answers import read_header
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
@@ -35,12 +44,13 @@ def problems(key: Key, judgement: Judgement, wrong: Path) -> list[str]:
 def test_each_stored_recording_gets_the_verdict_that_its_answer_must_get(stem: str) -> None:
     exercise = load_exercise(stem)
     files = {path.name: path for path in answers("wrong", stem)}
+    codes = stored_code()
     found, old = [], []
     for path in PROOFS[stem]:
         key = key_of(path)
         name = key[1].rpartition("/")[2]
         sha256, recording = load(path)
-        if sha256 != answer_of(key)[0].sha256:
+        if codes.get(key) != hash_of_code(answer_of(key)[0].text):
             old.append(path.name)
         judgement = judge_recording(exercise, sha256, recording)
         found += [f"{key[1]}: {one}" for one in problems(key, judgement, files.get(name, path))]
@@ -117,3 +127,15 @@ def test_what_the_judge_said_is_kept_once(
     assert load(path_of((stem, "b")))[1] == recording
     assert load(path_of((stem, "c")))[1].published == (recording.published[0], other)
     assert len([*tmp_path.glob("*/script_*.xz")]) == 1
+
+
+def test_comments_and_docstrings_leave_a_recording_current() -> None:
+    code = 'import rclpy\n\nclass Robot:\n    name = "a # robot"\n    def walk(self):\n        return 1\n'
+    told = (
+        '"""Walk."""\nimport rclpy  # ROS\n\nclass Robot:\n    """A robot.\n\n    It walks.\n    """\n'
+        '    name = "a # robot"\n\n    # one step\n    def walk(self):\n        """Walk."""\n        return 1\n'
+    )
+    assert hash_of_code(told) == hash_of_code(code)
+    assert hash_of_code(code.replace("return 1", "return 2")) != hash_of_code(code)
+    assert hash_of_code(code.replace("a # robot", "a # cat")) != hash_of_code(code)
+    assert hash_of_code("robot = (") != hash_of_code("robot = [")

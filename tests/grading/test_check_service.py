@@ -6,15 +6,18 @@ import os
 import socket
 import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
+from tests.grading.test_scheduler import FakeJudge
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement
+from workbook.grading.slots import pool, scheduler
 from workbook.grading.slots.protocol import JudgingOrder, Progress, line_of
 from workbook.grading.slots.service import (
     MOST_WAITING,
@@ -135,6 +138,23 @@ def test_answers_are_judged_one_after_another_and_see_their_place(service: Check
     lost = {name: sum(one.max_points - one.points for one in got[name].criteria) for name in got}
     assert lost["right"] == 0 < lost["wrong"]
     assert max(places["right"] + places["wrong"]) >= 1  # one of the two waited
+
+
+def test_an_answer_that_is_only_watched_gives_its_place_to_the_next(
+    service: CheckService, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The service has one slot. Each answer ends only when both have a card."""
+    monkeypatch.setattr(scheduler, "available_memory_bytes", lambda: 10**12)
+    judge = FakeJudge(most=2)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    programs = [Answer(f"robot = {number}\n") for number in range(2)]
+
+    def ask(program: Answer) -> str:
+        return judge_there(str(service.path), STEM, program, lambda _: None).status
+
+    with ThreadPoolExecutor(2) as both:
+        assert [*both.map(ask, programs)] == ["graded", "graded"]
+    assert judge.most_under_way == 2
 
 
 def test_without_a_service_the_card_says_so(tmp_path: Path) -> None:

@@ -58,6 +58,7 @@ class FakeJudge:
         *,
         soak: bool,
         report: Callable[[Judgement], None],
+        progress: object,
     ) -> tuple[FakeSlot, Judgement]:
         slot = slot or FakeSlot()
         with self._changed:

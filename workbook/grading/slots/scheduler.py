@@ -16,10 +16,10 @@ from dataclasses import dataclass
 from typing import Generic
 
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.judgement import Judgement
+from workbook.exercise.judgement import Judgement, Report
 from workbook.grading.judges import Job, Key
 from workbook.grading.slots import pool
-from workbook.grading.slots.client import Slot
+from workbook.grading.slots.client import ShowProgress, Slot
 from workbook.grading.slots.pool import Kind, SlotPool, warm_slots
 from workbook.inside.proc import available_memory_bytes, idle_and_all_s
 from workbook.isolation.tiers import Isolation, meets_others
@@ -40,6 +40,11 @@ SLOT_BYTES = 150_000_000
 """The memory (bytes) of a slot with a program. Each of the two uses some 70 MB."""
 KEPT_FREE_BYTES = 1_000_000_000
 """The memory (bytes) left to other processes. Below it, no slot is added beyond one for each place."""
+
+
+def fits_in_memory() -> bool:
+    """Return whether there's enough memory for one more slot."""
+    return available_memory_bytes() > KEPT_FREE_BYTES + SLOT_BYTES
 
 
 @dataclass(frozen=True)
@@ -137,10 +142,43 @@ class Permit:
         self._permits.change(free=int(self._is_held))
         self._is_held = False
 
-    def end_when_watched(self, judgement: Judgement) -> None:
-        """End the permit once a final judgment is reported, because only real seconds of watching follow."""
-        if not judgement.provisional:
-            self.end()
+    def judge(
+        self,
+        slots: SlotPool,
+        kind: Kind,
+        job: Job[Key],
+        *,
+        soak: bool,
+        report: Report | None = None,
+        progress: ShowProgress | None = None,
+    ) -> Judgement:
+        """Judge a job, and give back the permit and the slot.
+
+        The permit ends once a final judgment is reported, because only real seconds of watching follow.
+        """
+        slot = self.slot
+
+        def reported(judgement: Judgement) -> None:
+            if not judgement.provisional:
+                self.end()
+            if report is not None:
+                report(judgement)
+
+        try:
+            slot, judgement = pool.judge_with_retry(
+                slots, slot, kind, job, soak=soak, report=reported, progress=progress
+            )
+            return judgement
+        finally:
+            self.give_back(slots, kind, slot)
+
+    def give_back(self, slots: SlotPool, kind: Kind, slot: Slot | None) -> None:
+        """Keep the slot for the next answer, and end the permit. None: there's no longer a slot."""
+        if slot is None:
+            self._permits.change(slots=-1)
+        else:
+            slots.give(kind, slot)
+        self.end()
 
 
 def judge_all(
@@ -207,7 +245,7 @@ class _AnswersOfRun(Generic[Key]):
 
     def _has_room(self, present: int) -> bool:
         """Return whether another slot is worthwhile. Starting one takes as long as judging an answer."""
-        return self._waiting.qsize() >= present and available_memory_bytes() > KEPT_FREE_BYTES + SLOT_BYTES
+        return self._waiting.qsize() >= present and fits_in_memory()
 
     def _has_spare(self) -> bool:
         """Return whether there are spare processors.
@@ -239,25 +277,11 @@ class _AnswersOfRun(Generic[Key]):
             self.done.put(None)
 
     def _judge_next(self, permit: Permit) -> None:
-        slot = permit.slot
-        try:
-            job = None if self._stop() else self._next()
-            if job is not None:
-                slot, judgement = pool.judge_with_retry(
-                    self._pool,
-                    slot,
-                    self._kind,
-                    job,
-                    soak=self._thorough,
-                    report=permit.end_when_watched,
-                )
-                self.done.put((job, judgement))
-        finally:
-            if slot is None:
-                self._permits.change(slots=-1)
-            else:
-                self._pool.give(self._kind, slot)
-            permit.end()
+        job = None if self._stop() else self._next()
+        if job is None:
+            permit.give_back(self._pool, self._kind, permit.slot)
+            return
+        self.done.put((job, permit.judge(self._pool, self._kind, job, soak=self._thorough)))
 
     def close(self) -> None:
         """End all slots, and the servers that forked them."""

@@ -2,6 +2,8 @@
 
     python -m workbook.grading.slots.service FOLDER --slots N
 
+Once a program is only watched in real time, its student has the card, and the next answer gets the slot's place.
+
 The service listens at the Unix socket FOLDER/socket. Each connection sends one `JudgingOrder`. It receives the lines
 that a slot sends (see `protocol`) and its place in the queue. The kernel identifies the student by the user id of the
 connected process.
@@ -26,7 +28,7 @@ from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.source import stems
 from workbook.grading.judges import Job
 from workbook.grading.slots.client import ShowProgress
-from workbook.grading.slots.pool import Kind, SlotPool, judge_warm
+from workbook.grading.slots.pool import Kind, SlotPool
 from workbook.grading.slots.protocol import (
     JudgingOrder,
     LineReader,
@@ -38,6 +40,7 @@ from workbook.grading.slots.protocol import (
     line_of,
     progress_message,
 )
+from workbook.grading.slots.scheduler import WAITING_PER_PLACE, Permit, WorkPermits, fits_in_memory
 from workbook.isolation.tiers import Isolation, named_tier
 
 ADDRESS = "WORKBOOK_CHECK_SERVICE"
@@ -151,7 +154,10 @@ class CheckService:
         self.path.unlink(missing_ok=True)
         self.pool = SlotPool()
         self._kind = Kind(isolation)
-        self._slots = slots
+        self._most_programs = slots * (1 + WAITING_PER_PLACE)
+        self._permits = WorkPermits(
+            slots, lambda: self.pool.take_warm(self._kind), lambda _: fits_in_memory()
+        )
         self._owner_of = owner_of
         self._connections: Counter[Hashable] = Counter()
         self._counting = threading.Lock()
@@ -164,7 +170,7 @@ class CheckService:
     def serve(self) -> None:
         """Accept orders until the service is closed."""
         self.pool.fork_from_now_on(self._kind)
-        for number in range(self._slots):
+        for number in range(self._most_programs):
             threading.Thread(target=self._work, name=f"check {number}", daemon=True).start()
         while True:
             try:
@@ -215,10 +221,26 @@ class CheckService:
 
     def _work(self) -> None:
         while True:
+            permit = self._permits.take()
             request = self._queue.take()
             self._show_places()
-            request.send(judgement_line(self.pool, self._kind, request.order, request.send))
+            request.send(self._last_line(permit, request))
             self._end(request.connection, request.owner)
+
+    def _last_line(self, permit: Permit, request: _Request) -> Message:
+        """Judge an answer, and send all lines but the last one, which is returned."""
+        try:
+            judgement = permit.judge(
+                self.pool,
+                self._kind,
+                Job("", request.order.exercise, Answer(request.order.answer)),
+                soak=request.order.soak,
+                report=lambda one: request.send(judgement_message(one, final=False)),
+                progress=lambda one: request.send(progress_message(one)),
+            )
+            return judgement_message(judgement, final=True)
+        except Exception as error:  # an order that no notebook would send must not end the thread
+            return error_message(f"{type(error).__name__}: {error}")
 
 
 def read_order(connection: socket.socket) -> JudgingOrder:
@@ -236,25 +258,6 @@ def read_order(connection: socket.socket) -> JudgingOrder:
     if order.exercise not in stems(course_folder() / "solutions"):
         raise ValueError(f"there is no exercise {order.exercise}")
     return order
-
-
-def judgement_line(
-    pool: SlotPool, kind: Kind, order: JudgingOrder, send: Callable[[Message], None]
-) -> Message:
-    """Judge an order, and send all lines but the last one, which is returned."""
-    job = Job("", order.exercise, Answer(order.answer))
-    try:
-        judgement = judge_warm(
-            pool,
-            kind,
-            job,
-            soak=order.soak,
-            report=lambda one: send(judgement_message(one, final=False)),
-            progress=lambda one: send(progress_message(one)),
-        )
-        return judgement_message(judgement, final=True)
-    except Exception as error:  # an order that no notebook would send must not end the thread
-        return error_message(f"{type(error).__name__}: {error}")
 
 
 def judge_there(
