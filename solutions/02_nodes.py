@@ -1,6 +1,6 @@
 # ---
 # exercise: 02_nodes
-# title: An eye in the back of the head
+# title: Eyes in the back of the head
 # minutes: 20
 # difficulty: 2
 # kind: program
@@ -15,7 +15,7 @@
 #   - how spin and executors work (lesson 06); the program does this for you
 # ---
 # %% [markdown]
-# # Exercise 02 · An eye in the back of the head
+# # Exercise 02 · Eyes in the back of the head
 #
 # Your humanoid sees only the area in front of it. So people who walk up from behind startle it, or it startles them.
 # That's why it's getting a second camera, in the back of its head. The second camera is the same model as the first,

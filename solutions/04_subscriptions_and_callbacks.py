@@ -1,6 +1,6 @@
 # ---
 # exercise: 04_subscriptions_and_callbacks
-# title: A monitor for the battery
+# title: A battery monitor
 # minutes: 25
 # difficulty: 2
 # kind: program
@@ -16,7 +16,7 @@
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
-# # Exercise 04 · A monitor for the battery
+# # Exercise 04 · A battery monitor
 #
 # The guide robot has a new battery sensor and a bad cable. Most readings are correct. But when the cable shakes, the
 # sensor publishes a charge that no battery can have. Last week, the robot acted on one of these readings and lay down

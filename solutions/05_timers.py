@@ -1,6 +1,6 @@
 # ---
 # exercise: 05_timers
-# title: Three rhythms in one robot
+# title: Three rates in one robot
 # minutes: 20
 # difficulty: 2
 # kind: program
@@ -15,7 +15,7 @@
 #   - how the program ends (lesson 01 judges that) and how the code is written
 # ---
 # %% [markdown]
-# # Exercise 05 · Three rhythms in one robot
+# # Exercise 05 · Three rates in one robot
 #
 # Your humanoid leaves the workshop for its first walk. A remote operator needs three pieces of information. Is the
 # robot alive? One heartbeat a second is enough. How much charge is left? The battery level changes slowly, so a message

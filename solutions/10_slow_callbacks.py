@@ -1,6 +1,6 @@
 # ---
 # exercise: 10_slow_callbacks
-# title: A heart that beats while the robot plans
+# title: A heartbeat that continues while the robot plans
 # minutes: 30
 # difficulty: 3
 # kind: program
@@ -15,7 +15,7 @@
 #   - what happens after the nine seconds, how the program ends, and how the code is written
 # ---
 # %% [markdown]
-# # Exercise 10 · A heart that beats while the robot plans
+# # Exercise 10 · A heartbeat that continues while the robot plans
 #
 # Your humanoid serves tea. Before the robot reaches out, a planner works out how far to bend the elbow. Each step of
 # the search queries the collision checker, so one plan takes {{PLANNING_S}} s. But the safety system expects a

@@ -1,6 +1,6 @@
 # ---
 # exercise: 16_ai_model
-# title: A robot that sees, and keeps its balance
+# title: A robot that sees and keeps its balance
 # minutes: 45
 # difficulty: 4
 # kind: program
@@ -17,7 +17,7 @@
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
-# # Exercise 16 · A robot that sees, and keeps its balance
+# # Exercise 16 · A robot that sees and keeps its balance
 #
 # Your robot is clearing a desk. A neural network finds the toys on it, but takes {{MODEL_S}} s per image. The camera
 # takes {{CAMERA_HZ}} images a second, and the rest of the robot can't wait for the network. A heartbeat must go out ten

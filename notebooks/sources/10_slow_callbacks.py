@@ -877,7 +877,7 @@ yours(
 #
 # **Before:** [09 · The joint positions](09_joint_positions.ipynb)
 #
-# **Next:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb): what if you polled in a loop instead?
+# **Next:** [11 · Polling and callbacks](11_polling_against_callbacks.ipynb): what if you polled in a loop instead?
 #
 # **More:** [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html) and [About
 # executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

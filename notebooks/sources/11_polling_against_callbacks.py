@@ -1,5 +1,5 @@
 # %% [markdown]
-# # 11 · Polling against callbacks
+# # 11 · Polling and callbacks
 #
 # A robot hand closes around an egg and has to stop when it touches the shell. Should the program poll for the touch, or
 # should a callback report it?

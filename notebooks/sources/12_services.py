@@ -870,7 +870,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # - A response tells you that the server handled your request. A missing response isn't reported, so set your own time
 #   limit, and drop an overdue request with `remove_pending_request`.
 #
-# **Before:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb)
+# **Before:** [11 · Polling and callbacks](11_polling_against_callbacks.ipynb)
 #
 # **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb): which messages reach which nodes.
 #
