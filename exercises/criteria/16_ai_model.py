@@ -636,7 +636,7 @@ def right(recording: Recording) -> Verdict:
 )
 def survives(recording: Recording) -> Verdict:
     facts = Survival(in_judges_time(recording))
-    survived = see.passed(f"{RAISES(facts)[0]}: logged, and later images were answered")
+    survived = see.passed(f"{RAISES(facts)[0]}; the exception was logged, and later images were answered")
     return AFTER_GLARE.first(facts) or survived
 
 
