@@ -137,7 +137,7 @@ TILTED_SAMPLES = 10  # after this many in a row, the robot has fallen
 
 
 def to_markers(found: list[Detection], header: Header) -> MarkerArray:
-    """Return a marker for each detection, with its image's header. Don't change this function."""
+    """Return a marker for each detection, with its image's header. This function is complete."""
     message = MarkerArray()
     for number, one in enumerate(found):
         marker = Marker(header=header, ns=one.label, id=number)
@@ -149,7 +149,7 @@ def to_markers(found: list[Detection], header: Header) -> MarkerArray:
 
 
 def tilt(sample: Imu) -> float:
-    """Return the robot's tilt (°): 0 is upright, and 90 is lying on its side. Don't change this function."""
+    """Return the robot's tilt (°): 0 is upright, and 90 is lying on its side. This function is complete."""
     up = sample.linear_acceleration
     return math.degrees(math.atan2(math.hypot(up.x, up.y), up.z))
 
