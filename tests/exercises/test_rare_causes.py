@@ -150,7 +150,9 @@ def test_11_a_program_that_ends_in_a_pause_without_touches() -> None:
     for process, cause in ((ended_by_itself(exit=0), "ended"), (LIVING, "stops")):
         recording = replace(recorded(seen, process=process), published=said)
         verdict = judged("11_polling_against_callbacks", "none_missed", recording)
-        refused_for(f"none-missed.{cause}", verdict, f"no report after touch {numbers[39]}; 20 touches missed")
+        refused_for(
+            f"none-missed.{cause}", verdict, f"no report after touch {numbers[39]}; 20 touches missed"
+        )
 
 
 def test_02_faults_in_another_namespace() -> None:
