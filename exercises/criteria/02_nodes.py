@@ -18,7 +18,7 @@ FAULTS = topic("/robot/faults", String)  # of two nodes, so it is no topic with 
 REPORTS_HZ = 1.0  # of each camera
 TWICE = 1.6  # of a rate: nearer to two times than to one
 SLOW_HZ = 1.6  # 20 % below the rate of the images; the task names it
-AS_DELIVERED = "Restore the driver as it was delivered, and remap only __node."
+AS_DELIVERED = "Restore the original driver, and remap only __node."
 LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 
@@ -183,7 +183,9 @@ def front_node(recording: Recording) -> Verdict:
 @criterion(points=2, title="/robot/rear_camera is on the graph, once", needs=[program_runs])
 def rear_node(recording: Recording) -> Verdict:
     how = "Write CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
-    return see.on_the_graph(recording, REAR, beside=[FRONT], how=f"{how} Then return both cameras.")
+    return see.on_the_graph(
+        recording, REAR, beside=[FRONT], how=f"{how} Then return both cameras from make_cameras."
+    )
 
 
 @criterion(points=1, title="The front camera publishes images at 2 Hz", needs=[front_node])

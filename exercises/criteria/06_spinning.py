@@ -147,7 +147,7 @@ class Run:
         self.slow, self.quiet, self.alone = self.calls[SLOW], self.calls[QUIET], self.calls[JOBS_ALONE]
         # What calls have changed that is not their own: "3: 1 timer left". The first, without its number.
         self.changes = [one.replace(" ", ": ", 1) for one in see.driver_reports(recording, CHANGED)]
-        self.change = self.changes[0].partition(": ")[2] if self.changes else ""
+        self.changed_in, _, self.change = self.changes[0].partition(": ") if self.changes else ("", "", "")
         self.left = next((change for change in self.changes if change.endswith("left")), None)
 
         # the calls with the robot that came back

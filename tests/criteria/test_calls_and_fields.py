@@ -94,7 +94,7 @@ def test_a_value_is_named_with_its_field_and_what_it_takes(logs: dict[str, str])
 
 def test_the_fields_of_a_message_are_named(logs: dict[str, str]) -> None:
     error = find_error(logs["error.unknown-field"])
-    assert error is not None and "Its fields are: x, y, z." in error.because
+    assert error is not None and "Its fields are x, y and z." in error.because
 
 
 def test_a_comma_that_makes_a_tuple_is_named() -> None:

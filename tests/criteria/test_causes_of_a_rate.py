@@ -83,7 +83,11 @@ def test_a_silent_topic_of_a_node_that_works() -> None:
     seen = see.rate(silent_beside("/humanoid"), BATTERY)
     assert seen.cause == "no-message.silent-beside-others"
     refuses(
-        seen, "while /robot/status went on", "another topic's publisher", "create_timer(2.0", about_time=True
+        seen,
+        "while messages kept arriving on /robot/status",
+        "another topic's publisher",
+        "create_timer(2.0",
+        about_time=True,
     )
     assert "spins" not in seen.because
 

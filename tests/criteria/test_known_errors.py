@@ -99,13 +99,13 @@ CASES = [
         6,
         "rclpy.try_shutdown()",
     ),
-    Case("overtaken", OVERTAKEN, "rcl_shutdown already called", 19, "Run it again"),
+    Case("overtaken", OVERTAKEN, "rcl_shutdown already called", 19, "Run the check again"),
     Case(
         "overtaken_after_a_mistake",
         OVERTAKEN_AFTER_A_MISTAKE,
         "ZeroDivisionError",
         20,
-        "Read the end of the log",
+        "at the line that raised the error",
     ),
     Case(
         "no_super_init",
@@ -216,7 +216,12 @@ Humanoid()
         "Import or define the name",
     ),
     in_node("keyboard", "input('speed? ')", "EOFError", "input()"),
-    in_node("own_error", "raise ValueError('joint 7 is loose')", "ValueError: joint 7 is loose", "bottom up"),
+    in_node(
+        "own_error",
+        "raise ValueError('joint 7 is loose')",
+        "ValueError: joint 7 is loose",
+        "at the line that raised the error",
+    ),
     Case(
         "node_name", HEAD + "rclpy.init()\nNode('my robot')\n", "InvalidNodeNameException", 5, "simple name"
     ),
@@ -247,7 +252,7 @@ Humanoid()
         "import os\nraise OSError(11, os.strerror(11))\n",
         "BlockingIOError",
         2,
-        "starts a new one in each iteration",
+        "starts a new thread in each iteration",
     ),
     Case("python_two", "print 'hello'\n", "SyntaxError", None, "other Python 2 code"),
     Case("shell_line", "import rclpy\n!rm -rf /\n", "SyntaxError", None, "Remove that line"),
@@ -274,7 +279,7 @@ Humanoid()
         "try:\n    1 / 0\nexcept ZeroDivisionError:\n    unknown\n",
         "ZeroDivisionError",
         2,
-        "Read the end of the log",
+        "at the line that raised the error",
     ),
 ]
 

@@ -25,7 +25,7 @@ def stopped(words: int, process: ProcessRecord = LIVING) -> Recording:
 
 
 def test_a_topic_that_stops_while_another_goes_on() -> None:
-    refuses(see.rate(stopped(13), BATTERY), "while /robot/status went on", about_time=True)
+    refuses(see.rate(stopped(13), BATTERY), "while messages kept arriving on /robot/status", about_time=True)
 
 
 def test_once_it_has_followed_robot_time_that_is_final() -> None:

@@ -29,12 +29,12 @@ def test_a_subscription_may_ask_for_less_than_is_offered(asked: SubscriberSeen) 
     [
         (
             replace(ASKED, reliability="reliable"),
-            "reliable, but the publisher offers only best effort",
+            "reliable delivery, but the publisher offers only best-effort delivery",
             "BEST_EFFORT",
         ),
         (
             replace(ASKED, durability="transient_local"),
-            "transient local, but the publisher offers only volatile",
+            "transient local durability, but the publisher offers only volatile durability",
             "Leave durability out",
         ),
         (
@@ -42,7 +42,7 @@ def test_a_subscription_may_ask_for_less_than_is_offered(asked: SubscriberSeen) 
             "deadline of 0.4 s, but the publisher offers only 0.5 s",
             "0.5 s or longer",
         ),
-        (replace(ASKED, type=BOOL), "for Bool", "Import String"),
+        (replace(ASKED, type=BOOL), "of type Bool", "Import String"),
     ],
 )
 def test_asking_for_more_is_told_with_the_policy(asked: SubscriberSeen, words: str, step: str) -> None:

@@ -64,7 +64,7 @@ ALL = (
             {"twelve_values", "finite_in_range", "joints_move", "joint_rate"},
             (
                 "cause: publishes.other-name",
-                "saw: your node publishes /robot/joint_angles",
+                "saw: your node publishes on /robot/joint_angles",
                 "because: ",
                 "try: ",
                 "not judged",

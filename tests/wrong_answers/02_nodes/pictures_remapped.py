@@ -1,7 +1,7 @@
 # The pictures of the rear camera get another name, too.
 # loses: rear_pictures
 # cause: publishes.other-name
-# says: remap __node only
+# says: remap only __node
 # replaces: rear = CameraDriver(namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
 rear = CameraDriver(
     namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera", "-r", "~/frame:=~/image"]

@@ -2,7 +2,7 @@
 # loses: heartbeat_count
 # cause: silence.of-one
 # says: the last of 20 messages
-# says: while /robot/battery and /robot/tilt went on
+# says: while messages kept arriving on /robot/battery and /robot/tilt
 # after: super().__init__("vital_signs")
 self.beats_left = 20
 

@@ -1,7 +1,7 @@
 # The callback of the battery never returns: it publishes in a loop of its own.
 # loses: heartbeat_count, tilt_count
 # cause: silence.of-one
-# says: while /robot/battery went on
+# says: while messages kept arriving on /robot/battery
 # after: import math
 import time
 

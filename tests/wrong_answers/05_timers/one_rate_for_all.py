@@ -2,7 +2,7 @@
 # loses: battery_count, tilt_count
 # cause: rate.too-fast
 # says: 1 Hz
-# says: a factor of 2
+# says: about 2 times the expected rate
 # replaces: self.create_timer(HEARTBEAT_PERIOD_S, self.publish_heartbeat)
 self.create_timer(1.0, self.publish_all)
 

@@ -1,7 +1,7 @@
 # A thread watches the clock during the call, and goes on for good.
 # loses: nothing_left_running
 # cause: nothing-left-running.thread-runs
-# says: a thread still runs
+# says: a thread was still running after call
 # before: import time
 import threading
 

@@ -1,7 +1,7 @@
 # The timer of the battery is canceled after 20 s. The battery is not empty by then.
 # loses: battery_rate
 # cause: silence.of-one
-# says: while /robot/status went on
+# says: while messages kept arriving on /robot/status
 # replaces: DRAIN_PERCENT = (7.0, 10.0)  # a worn battery: empty within half a minute
 DRAIN_PERCENT = (2.0, 3.0)
 

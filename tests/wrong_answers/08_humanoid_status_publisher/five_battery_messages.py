@@ -2,7 +2,7 @@
 # loses: battery_rate
 # cause: silence.of-one
 # says: the last of 5 messages
-# says: while /robot/status went on
+# says: while messages kept arriving on /robot/status
 # after: self.battery_level = 100.0
 self.left = 5
 

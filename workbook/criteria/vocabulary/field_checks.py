@@ -32,4 +32,4 @@ def said_by_field_checks(recording: Recording) -> str | None:
 def quoted_field_checks(recording: Recording) -> str:
     """Return the field checks' error as a sentence to append to a suspicion; "" if there was none."""
     said = said_by_field_checks(recording)
-    return f" With field checks on, your program reports it itself: {said}" if said else ""
+    return f" With field checks turned on, your program raised this error: {said}" if said else ""

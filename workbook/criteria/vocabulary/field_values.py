@@ -61,7 +61,7 @@ _MISFITS = [
 def unknown_field(told: str) -> tuple[str, str] | None:
     """Return why a message has no such field, and what to try; None if the error doesn't say."""
     found = _FIELDS.search(told)
-    return None if found is None else _UNKNOWN(**found.groupdict())
+    return found and _UNKNOWN(message=found["message"], names=found["names"].split(", "))
 
 
 def value_that_misfits(told: str) -> tuple[str, str] | None:

@@ -40,6 +40,8 @@ class ProgramError:
 
 
 _SAYS_NOT_WHICH_NAME = (UNKNOWN_ERROR.cause, "error.module-without-name", "error.import-not-found")
+AN_ERROR_ENDED_IT = "; an error ended the program"
+"""The end of a `saw` before the error that ended the program."""
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
 """PyTorch and others start threads through OpenMP, which ends the process if the kernel refuses one."""
 _EXECUTOR_LEFT = re.compile(

@@ -73,7 +73,8 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
     if place is None:
         return passed("its numbers are floats")
     beside = next(value for value in [*seen[place:], *reversed(seen[:place])] if value != 0.0)
-    return _zeros(recording, topic, f"in message {place + 1}, next to {number(beside)}")
+    others = f"although other messages contain numbers such as {number(beside)}"
+    return _zeros(recording, topic, f"in message {place + 1}, {others}")
 
 
 def _zero_that_stands_out(seen: Sequence[float]) -> int | None:

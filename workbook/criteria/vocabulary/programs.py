@@ -6,7 +6,12 @@ from workbook.criteria.criterion import criterion
 from workbook.criteria.rules import Words, otherwise
 from workbook.criteria.verdict import Verdict, passed
 from workbook.criteria.vocabulary.driver import forged_report
-from workbook.criteria.vocabulary.known_errors import failed_by_error, failed_while_spinning, find_error
+from workbook.criteria.vocabulary.known_errors import (
+    AN_ERROR_ENDED_IT,
+    failed_by_error,
+    failed_while_spinning,
+    find_error,
+)
 from workbook.criteria.vocabulary.phrasing import nodes_are, seconds
 from workbook.criteria.vocabulary.spins import held_by_a_spin, initialized_again
 from workbook.criteria.vocabulary.stops import ended_by_signal, stopped_by_judge
@@ -166,7 +171,8 @@ def ended_by_error(recording: Recording, saw: str, expected: str) -> Verdict | N
     """
     if recording.process.ended_by != "itself":
         return None
-    return failed_by_error(recording, f"{saw}. An error had ended the program", expected)
+    missing = saw.partition(AN_ERROR_ENDED_IT)[0]  # a rate may have named the same error
+    return failed_by_error(recording, f"{missing}{AN_ERROR_ENDED_IT}", expected)
 
 
 def alive_at_end(recording: Recording) -> Verdict:

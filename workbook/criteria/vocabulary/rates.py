@@ -168,7 +168,7 @@ class _Rhythm:
     @property
     def where(self) -> str:
         gap = self.seen.gap
-        return "before the first message" if gap.kind == "before" else f"after {seconds(gap.start)}"
+        return "before the first message" if gap.kind == "before" else f"starting at {seconds(gap.start)}"
 
     @property
     def told_hz(self) -> str:
@@ -187,12 +187,12 @@ class _Rhythm:
         if not self.can_tell:
             return self.rounded_hz
         every = f"one message every {hertz(1 / self.hz)} s"
-        return f"{told:g} Hz: {every} ({count(self.seen.count, 'message')})"
+        return f"{told:g} Hz, {every} ({count(self.seen.count, 'message')})"
 
     @property
     def how_fast(self) -> str:
         factor = hertz(self.hz / self.wanted_hz)
-        return f"too fast by a factor of {factor}" if self.can_tell else "far too fast"
+        return f"about {factor} times the expected rate" if self.can_tell else "far above the expected rate"
 
     @property
     def usual_interval(self) -> str:

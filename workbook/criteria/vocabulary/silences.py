@@ -5,7 +5,7 @@ from itertools import pairwise
 from workbook.criteria.criterion import Topic
 from workbook.criteria.rules import Words
 from workbook.criteria.verdict import Verdict
-from workbook.criteria.vocabulary.known_errors import failed_by_error
+from workbook.criteria.vocabulary.known_errors import AN_ERROR_ENDED_IT, failed_by_error
 from workbook.criteria.vocabulary.spins import disturbs_itself
 from workbook.recording.recording import Recording, TopicRecording
 
@@ -28,7 +28,7 @@ def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | No
     """Return a failed verdict that blames the program's end, with its error if any; None if the program runs on."""
     if recording.process.ended_by != "itself":
         return None
-    blamed = failed_by_error(recording, f"{saw}; an error had ended the program", expected, about_time=True)
+    blamed = failed_by_error(recording, f"{saw}{AN_ERROR_ENDED_IT}", expected, about_time=True)
     return blamed or _PROGRAM_ENDED.verdict(saw=saw, expected=expected)
 
 

@@ -58,7 +58,7 @@ class _Publishing(_OnTopic):
 
     @property
     def names(self) -> list[str] | str:
-        return [other.name for other in self.own] or "nothing"
+        return [other.name for other in self.own] or "no topic"
 
     @cached_property
     def meant(self) -> str:
