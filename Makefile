@@ -14,7 +14,7 @@ PYTHON = $(eval PYTHON := $(shell $(SEARCH)))$(PYTHON)
 endif
 BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
-	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
+	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'Supported Python versions' in environment.md." >&2; exit 1; }
 
 .PHONY: help env lab hub progress test test-all bench model mutants notebooks notebooks-check lint lock dist site clean
 

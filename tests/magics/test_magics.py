@@ -162,7 +162,7 @@ def test_hints_come_one_by_one_and_the_earlier_ones_stay(kernel: Kernel) -> None
     told = [f"**Hint {number} of 3.**\n\n{hint}" for number, hint in enumerate(SOURCE.hints, start=1)]
     for number in range(1, 4):
         assert kernel.good("%hint").displays == ["\n\n".join(told[:number])]
-    assert kernel.good("%hint").displays == ["\n\n".join([*told, "These are all 3 hints."])]
+    assert kernel.good("%hint").displays == ["\n\n".join([*told, "There are no more hints."])]
     assert kernel.good(f"%hint {STEM} 1").displays == told[:1]
     assert "There are 3 hints" in kernel.good("%hint 4").text
 

@@ -9,7 +9,7 @@ import pytest
 from workbook.criteria.vocabulary import stops
 from workbook.isolation.uid import EXTRA_PROCESSES
 from workbook.programs.tier import limit_options
-from workbook.recording.limits import ANSWER_LIMITS, MB, NO_LIMITS
+from workbook.recording.limits import ANSWER_LIMITS, ENDED_PROCESSES, MB, NO_LIMITS
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -28,9 +28,9 @@ def test_what_a_student_reads_is_what_is_enforced(limit: str, value: str) -> Non
 
 def test_the_manual_names_what_the_kernel_allows_a_user() -> None:
     manual = (ROOT / "exercises" / "README.md").read_text(encoding="utf-8")
-    [most] = re.findall(r"(\d+) processes and threads plus", manual)
+    [most] = re.findall(r"(\d+) processes and threads \(including ended ones\), plus four", manual)
     assert ANSWER_LIMITS.processes is not None
-    assert int(most) == ANSWER_LIMITS.processes + EXTRA_PROCESSES
+    assert int(most) == ANSWER_LIMITS.processes + EXTRA_PROCESSES + ENDED_PROCESSES
 
 
 def test_only_limits_that_are_set_reach_the_host() -> None:

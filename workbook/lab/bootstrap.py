@@ -87,13 +87,13 @@ def _check_interpreter(version: tuple[int, ...], implementation: str) -> None:
     if not OLDEST <= version <= NEWEST:
         raise EnvironmentProblem(
             "Python {} to {} is needed, but {} is Python {}. Install one and name it, for example `make env "
-            "PYTHON=python3.12`. See 'A suitable Python' in environment.md.".format(
+            "PYTHON=python3.12`. See 'Supported Python versions' in environment.md.".format(
                 version_text(OLDEST), version_text(NEWEST), sys.executable, version_text(version)
             )
         )
     if implementation != "CPython":
         raise EnvironmentProblem(
-            "the wheels of rclpy are for CPython, but {} is {}. See 'A suitable Python' in environment.md.".format(
+            "the wheels of rclpy are for CPython, but {} is {}. See 'Supported Python versions' in environment.md.".format(
                 sys.executable, implementation
             )
         )
@@ -124,7 +124,7 @@ def check_venv_module(uv: str | None) -> None:
         package = "python{}-venv".format(version_text(sys.version_info[:2]))
         raise EnvironmentProblem(
             "{} has no complete venv module ({}). On Debian and Ubuntu: `sudo apt install {}`. "
-            "See 'A suitable Python' in environment.md.".format(sys.executable, error, package)
+            "See 'Supported Python versions' in environment.md.".format(sys.executable, error, package)
         ) from None
 
 
