@@ -93,9 +93,8 @@ def _check_interpreter(version: tuple[int, ...], implementation: str) -> None:
         )
     if implementation != "CPython":
         raise EnvironmentProblem(
-            "the wheels of rclpy are for CPython, but {} is {}. See 'Supported Python versions' in environment.md.".format(
-                sys.executable, implementation
-            )
+            "the wheels of rclpy are for CPython, but {} is {}. "
+            "See 'Supported Python versions' in environment.md.".format(sys.executable, implementation)
         )
 
 
