@@ -1,4 +1,4 @@
-"""Render HTML from templates, `PACKAGE/templates/NAME.html.j2`, with Jinja2, which escapes all inserted text.
+"""Render HTML from the Jinja2 templates `PACKAGE/templates/NAME.html.j2`. All inserted text is escaped.
 
 From `workbook`, this module imports only `without_commands`, so that every layer may use it. Jinja2 itself is imported
 when the first template is rendered, because grading or a check in a terminal shows no HTML.
@@ -39,7 +39,7 @@ def _plain(value: object) -> object:
 
 
 def render(template: str, **values: Any) -> str:
-    """Render a template, such as "feedback/card", as HTML."""
+    """Render a template as HTML: "feedback/card" stands for `feedback/templates/card.html.j2`."""
     package, name = template.split("/")
     return _environment().get_template(f"{package}/templates/{name}.html.j2").render(**values)
 

@@ -25,7 +25,7 @@ Say = Callable[[str], None]
 def build(
     tree: Tree, names: Iterable[str] = (), *, again: bool = False, jobs: int = 1, say: Say = print
 ) -> int:
-    """Build the named lessons and exercises, or all of them if there are no names. Return the number of failures.
+    """Build the named lessons and exercises, or all of them if no names are given. Return the number of failures.
 
     A lesson runs again only if its code has changed or `again` is true. Up to `jobs` lessons run in parallel. `say` is
     called with one line per file, and with the reason for each failure.
@@ -68,9 +68,9 @@ def build(
 
 
 def select(tree: Tree, names: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Return the lessons and exercises that match the names (stem, slug, number, or file); without names, all of them.
+    """Return the stems of the lessons and exercises that match the names, or of all of them if no names are given.
 
-    Raises AuthoringError if a name matches nothing.
+    A name is a stem, a slug, a number, or a file. Raises AuthoringError if a name matches nothing.
     """
     lessons, exercises = list(tree.lesson_stems()), list(tree.exercise_stems())
     wanted = [Path(name).stem for name in names]
@@ -113,7 +113,7 @@ def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
 
 
 def is_current(target: Path, wanted: document.Notebook) -> bool:
-    """Return whether the built notebook matches the `wanted` one and has been run completely."""
+    """Return whether the notebook at `target` matches the `wanted` one and all of its code cells have run."""
     if not target.is_file():
         return False
     try:
@@ -126,7 +126,7 @@ def is_current(target: Path, wanted: document.Notebook) -> bool:
 
 
 def carry_outputs(target: Path, wanted: document.Notebook) -> bool:
-    """Copy the built notebook's outputs to the new one if only the text between the code cells has changed.
+    """Copy the outputs of the notebook at `target` to `wanted` if only the text between the code cells has changed.
 
     Return whether the outputs were copied. If they weren't, the lesson has to run.
     """

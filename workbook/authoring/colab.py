@@ -1,4 +1,4 @@
-"""Prepare lessons for Colab and other notebook services: their first cell installs the course."""
+"""Prepare lessons for Colab and other notebook services by adding a first cell that installs the course."""
 
 from pathlib import Path
 

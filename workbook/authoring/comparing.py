@@ -1,4 +1,4 @@
-"""Run nbval on the notebooks in a scratch folder that is laid out like a student's."""
+"""Compare notebooks with their committed outputs, by running nbval in a scratch folder laid out like a student's."""
 
 import os
 import subprocess
@@ -21,10 +21,10 @@ NBVAL = ("--nbval", "--nbval-current-env", f"--nbval-cell-timeout={CELL_TIMEOUT_
 
 
 def compare_run(tree: Tree, stem: str, ran: Path) -> int:
-    """Compare the outputs in `ran`, a notebook that was run elsewhere, as `compare` does. Return pytest's exit code.
+    """Compare the outputs in `ran`, a lesson that ran elsewhere, with the committed ones. Return pytest's exit code.
 
     Raises:
-        AuthoringError: the notebook isn't built.
+        AuthoringError: the lesson hasn't been built.
     """
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
@@ -34,10 +34,10 @@ def compare_run(tree: Tree, stem: str, ran: Path) -> int:
 
 
 def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequence[str] = ()) -> int:
-    """Run the named notebooks, or all, and compare their outputs with the committed ones.
+    """Run the named notebooks, or all of them if none are named, and compare their outputs with the committed ones.
 
-    Pass the arguments in `extra` to pytest, and return pytest's exit code. Raises AuthoringError if a lesson isn't
-    built, or if an exercise can't be built.
+    Pass the arguments in `extra` to pytest, and return pytest's exit code. Raises AuthoringError if a lesson hasn't
+    been built, or if an exercise can't be built.
     """
     lessons, exercises = building.select(tree, names)
     return compare_stems(tree, lessons, exercises, jobs=jobs, extra=extra)
@@ -54,7 +54,7 @@ def compare_stems(
     """Run these lessons and exercises, and compare their outputs as `compare` does.
 
     Lessons run unchanged. Exercises run the way a student works: first with the starter and then, in the same kernel,
-    with the solution. Raises AuthoringError if a lesson isn't built, or if an exercise can't be built.
+    with the solution. Raises AuthoringError if a lesson hasn't been built, or if an exercise can't be built.
     """
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
@@ -77,7 +77,7 @@ def _nbval(
     options: Iterable[str] = (),
     environment: Mapping[str, str] = MappingProxyType({}),
 ) -> int:
-    """Run nbval on the notebooks below `top`. Return pytest's exit code."""
+    """Run nbval on the notebooks under `top`. Return pytest's exit code."""
     (top / "pytest.ini").write_text(
         "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
     )
@@ -100,7 +100,10 @@ def _read(path: Path) -> nbformat.NotebookNode:
 
 
 def _one_after_the_other(starter: Path, solved: Path) -> nbformat.NotebookNode:
-    """Join two notebooks, because starting another kernel and judge would take as long as the judging itself."""
+    """Join two notebooks, so that both run in one kernel.
+
+    Starting another kernel and judge would take as long as the judging itself.
+    """
     first, second = _read(starter), _read(solved)
     for cell in second.cells:
         cell.id = f"solved-{cell.id}"

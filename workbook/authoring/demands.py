@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from workbook.authoring.task_text import folded, sentences
 
 NOT_PART = "Not judged"
-"""The paragraph that lists the unjudged parts begins with these words."""
+"""The first words of the paragraph that lists a task's unjudged parts."""
 _DEMAND = re.compile(r"\b(must(n't)?|may not|do not|don't|can't|cannot|only)\b", re.IGNORECASE)
 
 

@@ -1,4 +1,4 @@
-"""Notebooks before they run: cells with fixed ids, and the minimal metadata that Jupyter requires."""
+"""Notebooks before they run: cells with fixed IDs, and the minimal metadata that Jupyter requires."""
 
 import re
 from collections import Counter
@@ -31,7 +31,7 @@ Notebook = nbformat.NotebookNode
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell without outputs. If the id is empty, `with_ids` derives one from the cell's position."""
+    """A cell without outputs. If the ID is empty, `with_ids` derives one from the cell's position."""
 
     kind: Kind
     source: str
@@ -62,9 +62,9 @@ def heading_of(cell: Cell) -> str | None:
 
 
 def with_ids(cells: Sequence[Cell]) -> tuple[Cell, ...]:
-    """Give each cell without an id one made of its section and its position in that section, such as `run-it-2`.
+    """Give each cell without an ID an ID made of its section and its position in that section, such as `run-it-2`.
 
-    With such ids, adding a cell changes only the ids in its section. Raises ValueError for an invalid or repeated id.
+    With such IDs, adding a cell changes only the IDs in its section. Raises ValueError for an invalid or repeated ID.
     """
     named: list[Cell] = []
     section = OPENING
@@ -125,7 +125,7 @@ def without_outputs(notebook: Notebook) -> Notebook:
 
 
 def write(path: Path, text: str) -> bool:
-    """Write the text to the file unless it's already there. Return whether the file was written."""
+    """Write the text to a file unless the file already contains it. Return whether the file was written."""
     if path.is_file() and path.read_text(encoding="utf-8") == text:
         return False
     path.parent.mkdir(parents=True, exist_ok=True)

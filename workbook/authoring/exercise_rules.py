@@ -12,7 +12,7 @@ from workbook.feedback.wording import points
 
 ALL_POINTS = 10.0
 FEWEST_CRITERIA = 4
-"""Criteria that earn points. With several, students can see how far they've come and what is missing."""
+"""Minimum number of criteria that earn points. With several, students see how far they've come and what is missing."""
 FEWEST_RIGHT = 3
 FEWEST_WRONG = 5
 _TABLE_ROW = r"\| *(\d+(?:\.\d+)?) *\|"
@@ -22,7 +22,7 @@ _IN_FILE = re.compile(r"(?P<file>[^:\s]+\.py): (?P<words>.*)", re.DOTALL)
 
 
 def from_error(tree: Tree, error: AuthoringError, where: Path) -> Violation:
-    """Convert an error into a violation at the file and line that its message begins with; by default, in `where`."""
+    """Convert an error into a violation at the file and line in its message, or in `where` if the message has none."""
     text = str(error).replace(f"{tree.root}/", "")
     if found := _AT_LINE.fullmatch(text):
         return Violation(found["file"], found["words"], int(found["line"]))
@@ -76,7 +76,7 @@ def points_violations(tree: Tree, exercise: Exercise) -> Iterator[Violation]:
 def answer_violations(tree: Tree, stem: str, exercise: Exercise | None) -> Iterator[Violation]:
     """Check that there are enough right and wrong answers, and that wrong answers name only existing criteria.
 
-    If the exercise couldn't be read (`exercise` is None), skip the check of the names.
+    If the exercise couldn't be read (`exercise` is None), don't check the names of the criteria.
     """
     for folder, fewest, kind in (
         (tree.right_answers / stem, FEWEST_RIGHT, "right"),

@@ -10,7 +10,7 @@ FILE = "workbook/lab/front_end/panel/figure.json"
 
 
 def write_figure(tree: Tree) -> bool:
-    """Update the file if the course has its own front end. Return whether the file has changed."""
+    """Update figure.json if the course has its own front end. Return whether the file has changed."""
     path = tree.root / FILE
     text = description()
     if not path.parent.is_dir() or (path.is_file() and path.read_text(encoding="utf-8") == text):
@@ -20,7 +20,7 @@ def write_figure(tree: Tree) -> bool:
 
 
 def check_figure(tree: Tree) -> Iterator[Violation]:
-    """Yield a violation if the file is missing or differs from the drawing in Python."""
+    """Yield a violation if figure.json is missing or differs from the drawing in Python."""
     path = tree.root / FILE
     if path.parent.is_dir() and (not path.is_file() or path.read_text(encoding="utf-8") != description()):
         yield Violation(FILE, "differs from the robot that Python draws: run `make notebooks`")

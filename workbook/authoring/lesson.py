@@ -24,7 +24,7 @@ _NODE = re.compile(r"\blesson_nodes(?:[./]|\s+import\s+\(?\s*)(?P<names>[a-z_][\
 def read_lesson(tree: Tree, stem: str) -> Document:
     """Return the notebook that a lesson's text describes.
 
-    Raises AuthoringError if the text uses something that lessons don't have.
+    Raises AuthoringError if the text contains a kind of cell, a tag, or anything else that lessons may not use.
     """
     path = tree.sources / f"{stem}.py"
     text = path.read_text(encoding="utf-8")
@@ -77,7 +77,7 @@ def _refuse_unknown(kind: str, source: str, metadata: dict[str, object], tags: l
 
 
 def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
-    """Return the lesson_nodes modules that the text names, directly or through other such modules."""
+    """Return the paths of the `lesson_nodes` modules that the text names, directly or through other such modules."""
     found: set[Path] = set()
     waiting = [text]
     while waiting:
@@ -93,7 +93,7 @@ def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
 def source_sha256(tree: Tree, text: str, cells: Sequence[Cell], predictions: Sequence[Prediction]) -> str:
     """Return a hash of everything that a lesson runs or reveals: its code, its lesson nodes, and its predictions.
 
-    The rest of the text doesn't affect the hash.
+    The lesson's other text doesn't affect the hash.
     """
     code = "\n".join(f"{cell.id}\n{cell.source}" for cell in cells if cell.kind == "code")
     total = hashlib.sha256(f"{FORMAT}\n{code}".encode())

@@ -100,7 +100,10 @@ def write_links(tree: Tree) -> list[str]:
 
 
 def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str]]:
-    """Yield a line number and a message for outdated links and for malformed or forward links under "You need"."""
+    """Yield a line number and a message if links to neighbors are outdated, and for each bad link under "You need".
+
+    Such a link must lead to an earlier lesson and show only its number.
+    """
     right = _links_put_right(tree, stem, text)
     if right != text:
         given, wanted = text.splitlines(), right.splitlines()

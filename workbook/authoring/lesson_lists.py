@@ -18,7 +18,7 @@ _MINUTES = re.compile(r"\*\*Minutes:\*\* (\d+)")
 
 
 def list_page(tree: Tree) -> str:
-    """Return the page that lists each lesson's reading time (min), cell run time (s), and exercise."""
+    """Return the page that lists each lesson's reading time in minutes, run time in seconds, and exercise."""
     times = run_times(tree)
     lines = [
         "# The lessons",
@@ -80,7 +80,7 @@ def _exercises(tree: Tree) -> dict[str, ExerciseSource]:
 
 
 def run_times(tree: Tree) -> dict[str, int]:
-    """Return the last measured run time (s) of each lesson's cells, keyed by stem."""
+    """Return the last measured run time of each lesson's cells, in seconds, keyed by stem."""
     path = tree.sources / RUN_TIMES
     if not path.is_file():
         return {}
@@ -89,7 +89,7 @@ def run_times(tree: Tree) -> dict[str, int]:
 
 
 def note_run_times(tree: Tree, measured: dict[str, float]) -> None:
-    """Store measured run times (s), rounded to five seconds so that ordinary variation doesn't change the file.
+    """Store measured run times, rounded to five seconds so that ordinary variation doesn't change the file.
 
     A lock protects the file, because lessons are built in parallel.
     """

@@ -11,12 +11,12 @@ from workbook.authoring.violations import Violation
 LARGEST_SHARE_IN_COURSE = 0.4
 LARGEST_SHARE_IN_LESSON = 0.6
 FEWEST_IN_COURSE, FEWEST_IN_LESSON = 20, 4
-"""With fewer letters than this, shares aren't meaningful."""
+"""With fewer letters than these, shares aren't meaningful, so they aren't checked."""
 _RIGHT = re.compile(r"<summary>(?P<letter>[a-z])\) [^\n]*</summary>\s*✓")
 
 
 def prediction_letters(tree: Tree) -> dict[str, list[str]]:
-    """Return the usual letter of each prediction, in order, keyed by lesson. Skip lessons that can't be read."""
+    """Return a list for each lesson: the letters that usually answer its predictions. Skip unreadable lessons."""
     found = {}
     for stem in tree.lesson_stems():
         try:
@@ -27,7 +27,7 @@ def prediction_letters(tree: Tree) -> dict[str, list[str]]:
 
 
 def question_letters(tree: Tree) -> dict[str, list[str]]:
-    """Return the correct letter of each "Check yourself" question, in order, keyed by lesson."""
+    """Return a list for each lesson: the letters of the correct options in its "Check yourself" questions."""
     found = {}
     for stem in tree.lesson_stems():
         lines = (tree.sources / f"{stem}.py").read_text(encoding="utf-8").splitlines()
@@ -37,7 +37,7 @@ def question_letters(tree: Tree) -> dict[str, list[str]]:
 
 
 def letter_violations(tree: Tree) -> Iterator[Violation]:
-    """Yield letters that are correct too often, in one lesson or in the whole course."""
+    """Yield a violation for each letter that is correct too often, in one lesson or in the whole course."""
     for what, by_lesson in (
         ("predictions", prediction_letters(tree)),
         ("questions", question_letters(tree)),

@@ -63,7 +63,7 @@ def glossary_page(tree: Tree, museum: Museum) -> str:
 
 
 def museum_violations(tree: Tree, museum: Museum) -> Iterator[tuple[str, str]]:
-    """Yield a file name and a message for each exhibit that its cell doesn't show, and each term explained twice."""
+    """Yield a file name and message for each exhibit missing in its cell's output, and each term explained twice."""
     outputs: dict[str, dict[str, str]] = {}
     for exhibit in museum.exhibits:
         name = f"{exhibit.lesson}.toml"
@@ -83,7 +83,7 @@ def museum_violations(tree: Tree, museum: Museum) -> Iterator[tuple[str, str]]:
 
 
 def _outputs(path: Path) -> dict[str, str]:
-    """Return the text output of each code cell in a built lesson, keyed by cell id; empty if there is no notebook."""
+    """Return the text output of each code cell in a built lesson, keyed by cell ID; empty if there is no notebook."""
     if not path.is_file():
         return {}
     found = {}

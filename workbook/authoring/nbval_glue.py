@@ -2,7 +2,7 @@
 
 By itself, nbval drops display updates and keeps cleared outputs, so a moving figure would never equal the committed
 one. This plugin applies updates and clearing as they arrive. It doesn't compare images inside HTML. Numbers marked as
-varying (`≈ 23 ms`) count as equal, but a cell fails if one of them is outside of its range.
+varying (`≈ 23 ms`) count as equal, but a cell fails if one of them is outside its range.
 
 The plugin also sets the sanitize file, unless another one is given. In notebooks whose metadata says
 `workbook.compare: text`, it compares only text. A cell fails if it uses a magic that doesn't exist. Kernels communicate
@@ -92,10 +92,10 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
-    """Run a cell with display updates applied.
+    """Run a cell, and apply its display updates to the outputs that nbval compares.
 
     Raises:
-        NbCellError: the cell uses a magic that doesn't exist, or shows a number outside of its range.
+        NbCellError: the cell uses a magic that doesn't exist, or shows a number outside its range.
     """
     if not isinstance(item, IPyNbCell):
         return (yield)

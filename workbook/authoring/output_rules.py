@@ -15,11 +15,14 @@ _MARKERS = re.compile(
     re.MULTILINE,
 )
 Finding = tuple[int, str]
-"""A line of the lesson's text (0 for the whole lesson), and a message for the author."""
+"""A line number in the lesson's text (0 for the whole lesson), and a message for the author."""
 
 
 def compared_enough(wanted: document.Document) -> Iterator[Finding]:
-    """Check that at most a third of the code cells ignore their outputs, and that they use tags, not comments."""
+    """Check that nbval ignores the outputs of at most a third of the code cells.
+
+    Also check that cells give nbval its instructions in tags, not in comments.
+    """
     code = [cell for cell in wanted.cells if cell.kind == "code"]
     for cell in code:
         found = _MARKERS.search(cell.source)
@@ -31,7 +34,7 @@ def compared_enough(wanted: document.Document) -> Iterator[Finding]:
 
 
 def outputs_in_order(built: document.Notebook) -> Iterator[str]:
-    """Check a built lesson's outputs: the execution order, errors, figures, and numbers outside of their range."""
+    """Check a built lesson's outputs: the execution order, errors, figures, and numbers outside their range."""
     code = [cell for cell in built.cells if cell.cell_type == "code"]
     if [cell.execution_count for cell in code] != list(range(1, len(code) + 1)):
         yield "was not run from top to bottom: run `make notebooks`"

@@ -11,12 +11,12 @@ import nbformat
 from workbook.lesson.measured import MARK
 
 SANITIZE = Path(__file__).with_name("sanitize.cfg")
-"""Patterns in nbval's format. Both the builder and nbval use this file."""
+"""The file with patterns and their replacements, in nbval's format. Both the builder and nbval use it."""
 
 
 @cache
 def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
-    """Return the sanitize file's pairs of a pattern and its replacement."""
+    """Return the sanitize file's (pattern, replacement) pairs."""
     text = SANITIZE.read_text(encoding="utf-8")
     pairs = re.findall(r"^regex: (.*)$\n^replace: (.*)$", text, flags=re.MULTILINE)
     return tuple((re.compile(regex), replacement) for regex, replacement in pairs)
@@ -38,12 +38,15 @@ def sanitized(text: str) -> str:
 
 
 def without_pictures(text: str) -> str:
-    """Replace each image inside HTML with a word."""
+    """Replace the data of each image inside HTML with a fixed word."""
     return PICTURE.sub('src="picture"', text)
 
 
 def without_numbers(text: str) -> str:
-    """Replace each number marked as varying with a word. In these lines, also remove the spaces that align columns."""
+    """Replace each number marked as varying with the word "number".
+
+    In lines with such numbers, also remove the spaces that align columns.
+    """
     lines = text.split("\n")
     for place, line in enumerate(lines):
         if _MARKED.search(line):

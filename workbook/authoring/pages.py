@@ -1,4 +1,4 @@
-"""Generate whole pages, and the marked parts of the README and the manuals."""
+"""Generate whole pages, and the parts of the README and the manuals between markers."""
 
 import re
 from collections.abc import Iterator
@@ -15,13 +15,14 @@ from workbook.exercise.museum import BrokenMuseum, load_museum
 LIST = "README.md"
 PAGES = (MUSEUM, GLOSSARY, LIST)
 BESIDE_LESSONS = ("museum", PLANNED, RUN_TIMES, TOO_LARGE)
-"""Other entries in the folder of the lessons' texts."""
+"""The allowed entries next to the lesson texts in their folder."""
 
 
 def pages(tree: Tree) -> dict[Path, str]:
-    """Return the text that each generated page must have, keyed by path. Skip the README and the manual if missing.
+    """Return the text that each generated page must have, keyed by path.
 
-    Raises AuthoringError if a page lacks its markers, and BrokenMuseum if the museum can't be read.
+    Skip README.md and docs/vocabulary.md if they don't exist. Raises AuthoringError if a page lacks its
+    markers, and BrokenMuseum if the museum can't be read.
     """
     museum = load_museum(tree.root)
     found = {
@@ -40,7 +41,10 @@ def pages(tree: Tree) -> dict[Path, str]:
 
 
 def with_part(page: str, part: str, text: str, name: str) -> str:
-    """Return the page with `text` between the markers of `part`. Raises AuthoringError unless each exists once."""
+    """Return the page with `text` between the markers of `part`.
+
+    Raises AuthoringError unless the page, called `name` in the message, contains each marker exactly once.
+    """
     start, end = f"<!-- {part}: made by `make notebooks` -->", f"<!-- end of {part} -->"
     if page.count(start) != 1 or page.count(end) != 1 or page.index(start) > page.index(end):
         raise AuthoringError(f"{name} needs the lines '{start}' and '{end}', once each")
@@ -60,7 +64,7 @@ def write_pages(tree: Tree) -> list[Path]:
 
 
 def check_pages(tree: Tree) -> Iterator[Violation]:
-    """Yield errors in the museum, and pages that are missing or out of date."""
+    """Yield a violation for each error in the museum, and for each page that is missing or out of date."""
     try:
         museum = load_museum(tree.root)
         for name, words in museum_violations(tree, museum):

@@ -1,4 +1,4 @@
-"""Find misplaced files, and notebooks without a text."""
+"""Find misplaced files, and files that belong to no lesson or exercise."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -11,7 +11,7 @@ from workbook.exercise.source import DEEPER, STEM
 
 
 def misplaced(tree: Tree) -> Iterator[Violation]:
-    """Yield misplaced files, notebooks without a text, and numbers that are used twice."""
+    """Yield a violation for each misplaced file, each file without a lesson or exercise, and each number used twice."""
     lessons, exercises = tree.lesson_stems(), tree.exercise_stems()
     # Each rule has a folder, the suffixes of its files, their stems, and the names of other allowed entries.
     rules: list[tuple[Path, str, tuple[str, ...], tuple[str, ...]]] = [

@@ -66,9 +66,9 @@ while not done():
 
 
 def with_plain_helpers(text: str, where: str) -> str:
-    """Return a Markdown cell's text with a box in place of each such line.
+    """Return a Markdown cell's text with a box in place of each `[the same without helpers: ...]` line.
 
-    Raises AuthoringError if a named helper isn't in `PLAIN`. `where` is the cell's place in the error message.
+    Raises AuthoringError if a named helper isn't in `PLAIN`. `where` identifies the cell in the error message.
     """
 
     def box(place: re.Match[str]) -> str:

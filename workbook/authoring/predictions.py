@@ -30,7 +30,7 @@ _ALLOWED = (
 
 
 def read_prediction(name: str, source: str) -> tuple[str, Prediction]:
-    """Return the text that the notebook shows of a prediction's cell, and the whole prediction.
+    """Return a prediction cell's text as the notebook shows it, and the whole prediction.
 
     Raises ValueError if the cell isn't a valid prediction.
     """
@@ -109,7 +109,7 @@ def _check_condition(shown: str, condition: str) -> None:
 
 
 def prediction_violations(wanted: Document) -> Iterator[tuple[int, str]]:
-    """Yield errors in a lesson's calls of predict and reveal, each as a line of the text and a message."""
+    """Yield a line number and a message for each error in a lesson's calls of `predict` and `reveal`."""
     names = {one.name for one in wanted.predictions}
     asked: set[str] = set()
     revealed: set[str] = set()
@@ -132,7 +132,7 @@ def prediction_violations(wanted: Document) -> Iterator[tuple[int, str]]:
 
 
 def _calls(cell: Cell) -> Iterator[tuple[str, str, bool]]:
-    """Yield each call as "predict" or "reveal", the name, and whether the name is the only argument.
+    """Yield "predict" or "reveal" for each call, the prediction's name, and whether that name is the only argument.
 
     Skip calls of `predict` in the old form, with `about=`.
     """
@@ -167,7 +167,7 @@ def sealed_violations(tree: Tree, stem: str, wanted: Document) -> Iterator[Viola
 
 
 def foreign_sealed(tree: Tree) -> Iterator[Violation]:
-    """Yield sealed files that belong to no lesson, and prediction names that two lessons use."""
+    """Yield a violation for each sealed file without a lesson, and for each prediction name that two lessons use."""
     lessons = tree.lesson_stems()
     taken: dict[str, str] = {}
     for path in entries(tree.sealed):

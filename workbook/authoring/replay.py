@@ -1,6 +1,6 @@
 """A stand-in for a kernel that replays the outputs of a notebook that was run elsewhere, for example in JupyterLab.
 
-So nbval can compare that run as if it had run the notebook itself.
+With this stand-in, nbval compares that run as if nbval had run the notebook itself.
 """
 
 import itertools
@@ -16,7 +16,7 @@ RAN = "WORKBOOK_RAN"
 
 
 class Replay:
-    """Replaces `nbval.kernel.RunningKernel`. `ran` is the notebook with its outputs."""
+    """Replaces `nbval.kernel.RunningKernel`. `ran` is the path of the notebook with its outputs."""
 
     def __init__(self, ran: Path) -> None:
         cells = nbformat.read(ran, nbformat.NO_CONVERT).cells

@@ -1,7 +1,8 @@
-"""Requirements tables: they tie each demand of a task to the criteria that judge it and the answers that break it.
+"""Requirements tables, which link each requirement of a task to the criteria that judge it.
 
-The tables are `tests/requirements/NN_slug.toml`. A requirement has an `id` and a `sentence` (or several), quoted from
-the task. It also has either `criteria` and `wrong` answers, or `not_judged` with the reason.
+They also link the requirement to the wrong answers that violate it. The tables are stored in
+`tests/requirements/NN_slug.toml`. A requirement has an `id` and a `sentence` (or several), quoted from the task. It
+also has either `criteria` and `wrong` answers, or `not_judged` with the reason.
 """
 
 import re
@@ -21,7 +22,7 @@ from workbook.exercise.definition import Exercise
 from workbook.feedback.wording import points
 
 WITHOUT_TABLE: frozenset[str] = frozenset()
-"""Exercises of this course that are older than this rule. Never add one."""
+"""Exercises that may lack a table, because they are older than this rule. Don't add any."""
 KEYS = ("id", "sentence", "criteria", "wrong", "not_judged")
 
 _MISSING = (
@@ -35,7 +36,7 @@ _AT_LINE = re.compile(r"\(at line (\d+), column \d+\)")
 
 @dataclass(frozen=True)
 class Requirement:
-    """One demand of a task. Fields that the table leaves out are empty. `row` counts from 0."""
+    """One requirement of a task. Fields that the table leaves out are empty. `row` is its position, counted from 0."""
 
     row: int
     id: str
@@ -52,7 +53,7 @@ class Requirement:
 
 @dataclass(frozen=True)
 class TableFile:
-    """The text of a table, for finding line numbers. `name` is the path that messages show."""
+    """The lines of a table, in which line numbers for messages are found. `name` is the path that messages show."""
 
     name: str
     lines: tuple[str, ...]
@@ -75,7 +76,7 @@ class TableFile:
         return self.at(row, rf"^\s*[\"']?{re.escape(key)}[\"']?\s*=", words)
 
     def at_text(self, row: int, text: str, words: str) -> Violation:
-        """Return a violation at a text in a row. If the text has several lines, use the line of its beginning."""
+        """Return a violation at the line of a row in which a text begins."""
         first = next((line.strip() for line in text.splitlines() if line.strip()), "")
         return self.at(row, re.escape(first[:30]), words)
 
@@ -85,7 +86,7 @@ class TableFile:
 
 
 def stale_exceptions(tree: Tree, without: frozenset[str] = WITHOUT_TABLE) -> Iterator[Violation]:
-    """Yield exercises in `WITHOUT_TABLE` that don't exist or that have a table now."""
+    """Yield a violation for each exercise in `without` that doesn't exist, or that has a table now."""
     module, root = Path(__file__).resolve(), tree.root.resolve()
     if not module.is_relative_to(root):  # WITHOUT_TABLE applies only to this module's own course
         return
@@ -103,9 +104,9 @@ def stale_exceptions(tree: Tree, without: frozenset[str] = WITHOUT_TABLE) -> Ite
 def table_violations(
     tree: Tree, stem: str, exercise: Exercise | None, without: frozenset[str] = WITHOUT_TABLE
 ) -> Iterator[Violation]:
-    """Yield errors in an exercise's table.
+    """Yield a violation for each error in an exercise's table, or if the table is missing.
 
-    If the exercise couldn't be read (`exercise` is None), check only what doesn't depend on it.
+    If the exercise couldn't be read (`exercise` is None), skip the checks that need it.
     """
     path = tree.requirements / f"{stem}.toml"
     name = tree.name(path)
@@ -152,7 +153,7 @@ def _is_rows(raw: object) -> TypeGuard[list[dict[str, Any]]]:
 
 
 def _form(file: TableFile, data: Mapping[str, Any]) -> Iterator[Violation]:
-    """Yield parts of the data that don't have the form of a requirements table."""
+    """Yield a violation for each part of the data that doesn't have the form of a requirements table."""
     text = "\n".join(file.lines)
     for key in data:
         if key != "requirement":
@@ -256,7 +257,7 @@ def _unknown_sentences(file: TableFile, rows: list[Requirement], exercise: Exerc
 
 
 def _untied(file: TableFile, rows: list[Requirement], exercise: Exercise) -> Iterator[Violation]:
-    """Yield demands and prohibitions in the task that no row quotes."""
+    """Yield a violation for each sentence of the task that demands or forbids something and that no row quotes."""
     quotes = [quote for one in rows for quote in one.sentences]
     for sentence, word in untied_demands(task_text(exercise.source), quotes):
         words = (
@@ -269,9 +270,9 @@ def _untied(file: TableFile, rows: list[Requirement], exercise: Exercise) -> Ite
 def _names(
     tree: Tree, file: TableFile, rows: list[Requirement], exercise: Exercise, *, whole: bool
 ) -> Iterator[Violation]:
-    """Yield unknown criteria and wrong answers, and wrong answers that belong to another requirement.
+    """Yield a violation for each name of an unknown criterion or wrong answer, or of a wrong answer in the wrong row.
 
-    If `whole`, the table is well-formed, so also yield criteria and wrong answers that no row names.
+    If `whole` is true, the table is well-formed. Then also yield the criteria and wrong answers that no row names.
     """
     folder = tree.wrong_answers / exercise.stem
     wrong = [path.stem for path in entries(folder) if path.suffix == ".py"]
@@ -309,7 +310,7 @@ def _names(
 
 
 def _is_elsewhere(lost: frozenset[str], one: Requirement, criteria: Iterable[str]) -> bool:
-    """Return whether a wrong answer that loses these criteria breaks another requirement than this one.
+    """Return whether a wrong answer that loses the criteria in `lost` violates a different requirement than `one`.
 
     Return False if the answer's header or the requirement's criteria can't be read.
     """
@@ -318,7 +319,7 @@ def _is_elsewhere(lost: frozenset[str], one: Requirement, criteria: Iterable[str
 
 
 def _lost(path: Path) -> frozenset[str]:
-    """Return the criteria that a wrong answer must lose, according to its header; empty if the header is invalid."""
+    """Return the criteria that a wrong answer's header says it must lose; empty if the header is invalid."""
     try:
         return read_header(path).loses
     except WrongAnswerError:

@@ -13,12 +13,12 @@ TOPIC = "/robot/joint_positions"
 PERIOD_S = 0.125
 WAVES_PER_SECOND = 1.0
 ROUND = 32
-"""Number of messages until the robot is back in its first pose, so that the film loops without a jump."""
+"""Number of messages until the robot is back in its first pose. With this many, the film loops without a jump."""
 SCALE = 0.85
 
 
 def write_robot_picture(tree: Tree) -> Path:
-    """Run the program, record one round of its messages, and draw the robot at each message. Return the file.
+    """Run the program, record one round of its messages, and draw the robot at each message. Return the image's path.
 
     Raises ValueError if too few messages arrived.
     """

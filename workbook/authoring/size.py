@@ -43,13 +43,16 @@ class Size:
 
     @property
     def over(self) -> dict[str, int]:
-        """The sizes that exceed their limit, by name."""
+        """The sizes that exceed their limit, keyed by the limit's name."""
         found = {"open words": self.open_words, "words in folds": self.fold_words, "cells": self.cells}
         return {name: number for name, number in found.items() if number > LIMITS[name]}
 
     @property
     def minutes(self) -> int:
-        """The reading time plus a minute per run cell, prediction, and question, rounded up to a multiple of `STEP`."""
+        """The minutes that a reader needs, rounded up to a multiple of `STEP`.
+
+        Reading takes a minute per `WORDS_PER_MINUTE` words. Each cell to run, prediction, and question adds a minute.
+        """
         reading = (self.open_words + self.fold_words) / WORDS_PER_MINUTE
         return STEP * math.ceil((reading + self.runs + self.asked) / STEP)
 
@@ -115,7 +118,7 @@ def write_sizes(tree: Tree) -> list[str]:
 
 
 def still_too_large(tree: Tree) -> dict[str, dict[str, int]]:
-    """Return the raised limits of lessons that are older than the limits, keyed by stem and the limit's name."""
+    """Return the higher limits for lessons that are older than the limits, keyed by stem and by the limit's name."""
     path = tree.sources / TOO_LARGE
     return tomllib.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
 

@@ -1,7 +1,7 @@
-"""Create a lesson or an exercise from a template: small, complete, and passing every check. Its author then changes it.
+"""Create a new lesson or exercise from a template. The result is small and complete, and it passes every check.
 
-A template is a file or a folder below `skeletons/`. Marks such as `@SLUG@` are replaced with parts of the new name. A
-line that ends with `@EXAMPLE@` contains text that the author has to replace; see `still_from_template`.
+A template is a file or a folder in `skeletons/`. Placeholders such as `@SLUG@` are replaced with parts of the new name.
+A line that ends with `@EXAMPLE@` contains text that the author has to replace; see `still_from_template`.
 """
 
 import re
@@ -14,13 +14,13 @@ from workbook.exercise.source import STEM
 
 SKELETONS = Path(__file__).with_name("skeletons")
 TEMPLATES = ("publisher", "listener", "service", "function")
-"""Templates for exercises about a rate and a value, a reaction to a sensor, a service call, and a function."""
+"""Templates for exercises: a publisher's rate and value, a reaction to a sensor, a service call, and a function."""
 EXAMPLE = "@EXAMPLE@"
 _SLUG = re.compile(r"[a-z][a-z0-9_]*")
 
 
 def new_lesson(tree: Tree, name: str) -> list[Path]:
-    """Write a new lesson's text. `name` is a slug, or a stem with a number. Return the files.
+    """Write a new lesson's text, and return its path. `name` is a slug, or a stem (NN_slug).
 
     Raises:
         AuthoringError: the name isn't a valid slug, or the number or name is taken.
@@ -32,7 +32,7 @@ def new_lesson(tree: Tree, name: str) -> list[Path]:
 def new_exercise(tree: Tree, name: str, template: str = TEMPLATES[0]) -> list[Path]:
     """Write a new exercise: source, criteria, right and wrong answers, requirements, and a driver if it needs one.
 
-    `name` is a slug, or a stem with a number. Return the files.
+    `name` is a slug, or a stem (NN_slug). Return the paths of the written files.
 
     Raises:
         AuthoringError: the name isn't a valid slug, the number or name is taken, or the template doesn't exist.
@@ -122,7 +122,7 @@ def _filled(template: Path, words: dict[str, str]) -> str:
 
 
 def still_from_template(tree: Tree) -> Iterator[Violation]:
-    """Yield lines that an author should replace but that are still the template's. These aren't failures."""
+    """Yield a note for each line of a template that its author hasn't replaced yet. These notes aren't failures."""
     for stem in tree.lesson_stems():
         yield from _example_lines(tree, stem, _lesson_files(tree, stem))
     for stem in tree.exercise_stems():

@@ -1,4 +1,4 @@
-"""Check whether a built notebook matches its text, and whether its links lead somewhere."""
+"""Check whether a built notebook matches its text, and whether its links lead to existing files."""
 
 import re
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ def stale(tree: Tree, target: Path, wanted: document.Document) -> Iterator[Viola
 
 
 def differences(built: document.Notebook, wanted: document.Notebook) -> Iterator[str]:
-    """Yield the differences between a built notebook without outputs and the one that its text generates."""
+    """Yield each difference between a built notebook without outputs and the notebook that its text generates."""
     ids, wanted_ids = [cell.get("id") for cell in built.cells], [cell.id for cell in wanted.cells]
     if ids != wanted_ids:
         extra = [str(one) for one in ids if one not in wanted_ids]
@@ -59,7 +59,7 @@ def differences(built: document.Notebook, wanted: document.Notebook) -> Iterator
 
 
 def dead_links(tree: Tree, folder: Path, wanted: document.Document) -> Iterator[tuple[int, str]]:
-    """Yield a line and a message for each link to a missing file and each image without alternative text."""
+    """Yield a line number and a message for each link to a missing file and each image without alternative text."""
     for cell in wanted.cells:
         if cell.kind != "markdown":
             continue

@@ -12,7 +12,7 @@ _OWN_BLOCK = re.compile(r"\s*(\||[-*] |\d+\. |#+ |$)")
 
 
 def task_text(source: ExerciseSource) -> str:
-    """Return the text of a task, its starter included, as Markdown without comment marks."""
+    """Return a task's text, including its starter, as Markdown without comment marks."""
     starter = "\n".join(re.sub(r"^#+ ?", "", line.strip()) for line in source.starter_code.splitlines())
     return "\n\n".join((*source.story, starter, *source.afterword))
 
@@ -23,7 +23,7 @@ def folded(text: str) -> str:
 
 
 def missing_words(quote: str, task: str) -> str:
-    """Return a message about a quotation that isn't in the task.
+    """Return a message for the author about a quotation that isn't in the task.
 
     The message gives the quotation's first missing sentence, and the task's most similar sentence if there is one.
     """

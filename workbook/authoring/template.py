@@ -66,7 +66,7 @@ Rule = Callable[[Section], Iterable[str]]
 def shape_violations(
     cells: Sequence[Cell], number: int, *, has_exercise: bool, is_deeper: bool = False
 ) -> Iterator[tuple[int, str]]:
-    """Yield a line and a message for each violation of a lesson's structure. Line 0 means the whole lesson.
+    """Yield a line number and a message for each error in a lesson's structure. Line 0 means the whole lesson.
 
     A deeper notebook may omit sections and have any number of experiments.
     """

@@ -22,77 +22,77 @@ class Tree:
 
     @property
     def notebooks(self) -> Path:
-        """Folder of the built lessons."""
+        """The folder of the built lessons."""
         return self.root / "notebooks"
 
     @property
     def sources(self) -> Path:
-        """Folder of the lesson texts, one percent script per lesson."""
+        """The folder of the lesson texts, one percent script per lesson."""
         return self.notebooks / "sources"
 
     @property
     def museum(self) -> Path:
-        """Folder of the error museum and the glossary, one TOML file per lesson."""
+        """The folder of the error museum and the glossary, one TOML file per lesson."""
         return self.sources / "museum"
 
     @property
     def sealed(self) -> Path:
-        """Folder of the sealed predictions, one encoded file per lesson that has predictions."""
+        """The folder of the sealed predictions, one encoded file per lesson that has predictions."""
         return self.root / "workbook" / "lesson" / "sealed"
 
     @property
     def exercises(self) -> Path:
-        """Folder of the built exercise notebooks, which contain the starter."""
+        """The folder of the built exercise notebooks, which contain the starter."""
         return self.root / "exercises"
 
     @property
     def criteria(self) -> Path:
-        """Folder of the criteria files, one per exercise."""
+        """The folder of the criteria files, one per exercise."""
         return self.exercises / "criteria"
 
     @property
     def drivers(self) -> Path:
-        """Folder of the drivers, programs that call an answer's functions, for exercises that need one."""
+        """The folder for drivers, which are programs that call an answer's functions, for exercises that need one."""
         return self.exercises / "drivers"
 
     @property
     def partners(self) -> Path:
-        """Folder of the nodes that run next to a started answer, for exercises whose node needs other nodes."""
+        """The folder of the nodes that run next to a started answer, for exercises whose node needs other nodes."""
         return self.exercises / "partners"
 
     @property
     def solutions(self) -> Path:
-        """Folder of the exercise sources: one file per exercise with the text, the starter, and the solution."""
+        """The folder of the exercise sources: one file per exercise with the text, the starter, and the solution."""
         return self.root / "solutions"
 
     @property
     def right_answers(self) -> Path:
-        """Folder of other programs that must get full marks, one subfolder per exercise."""
+        """The folder of other programs that must get full marks. It has one subfolder per exercise."""
         return self.root / "tests" / "right_answers"
 
     @property
     def wrong_answers(self) -> Path:
-        """Folder of programs with one mistake each, and the criteria they must lose, one subfolder per exercise."""
+        """The folder of programs with one mistake each, which must lose points. It has one subfolder per exercise."""
         return self.root / "tests" / "wrong_answers"
 
     @property
     def requirements(self) -> Path:
-        """Folder of the tables that tie each demand of a task to its criteria, one TOML file per exercise."""
+        """The folder of the tables that link each requirement of a task to its criteria, one TOML file per exercise."""
         return self.root / "tests" / "requirements"
 
     @property
     def mutants(self) -> Path:
-        """Folder of the reports on mutants, one TOML file per exercise; see `workbook.authoring.mutants`."""
+        """The folder of the reports on mutants, one TOML file per exercise; see `workbook.authoring.mutants`."""
         return self.root / "tests" / "mutants"
 
     @property
     def lesson_nodes(self) -> Path:
-        """Folder of the ROS nodes that lessons import or run."""
+        """The folder of the ROS nodes that lessons import or run."""
         return self.root / "lesson_nodes"
 
     @property
     def solved(self) -> Path:
-        """Folder of the exercise notebooks with the solution filled in, which are built when needed and not in git."""
+        """The folder of exercise notebooks with the solution filled in. They're built when needed, and not in git."""
         return self.root / "build" / "solved"
 
     def lesson_stems(self) -> tuple[str, ...]:
@@ -118,7 +118,7 @@ class Tree:
 
 
 def stems_in(folder: Path, suffix: str) -> tuple[str, ...]:
-    """Return the stems of all files NN_slug with this suffix, sorted."""
+    """Return the stems of a folder's files that are named NN_slug with this suffix, sorted."""
     return tuple(sorted(path.stem for path in folder.glob(f"*{suffix}") if STEM.fullmatch(path.stem)))
 
 

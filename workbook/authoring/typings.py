@@ -97,7 +97,7 @@ class _Module:
         return "\n".join(lines)
 
     def _types(self, spelled: str) -> tuple[str, str]:
-        """Return the types of a field's value when it's read, and when it's assigned."""
+        """Return two types for a field: the type of its value when read, and the type that may be assigned."""
         sequence = _SEQUENCE.fullmatch(spelled)
         fixed = _FIXED.fullmatch(spelled)
         if sequence is None and fixed is None:

@@ -26,7 +26,7 @@ def _key(name: str) -> tuple[bool, str]:
 
 
 def spelled(module: ModuleType, name: str) -> str:
-    """Return a name. For a function, add its arguments, with optional ones in brackets."""
+    """Return a name as the table shows it. A function's arguments follow its name, optional ones in brackets."""
     value = getattr(module, name)
     if not inspect.isfunction(value):
         return name

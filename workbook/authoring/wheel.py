@@ -1,6 +1,6 @@
 """Build the students' wheel: the package with the course inside, but without solutions.
 
-The same files give the same bytes. SOURCE_DATE_EPOCH sets the date of the files in the wheel.
+The same files always give a wheel with the same bytes. SOURCE_DATE_EPOCH sets the date of the files in the wheel.
 """
 
 import hashlib
@@ -68,7 +68,10 @@ def build_wheel(course: Path, folder: Path) -> Path:
 
 
 def ros_pins(lock: str) -> list[str]:
-    """Return each ROS package with its locked version, because pip reads the wheel's requirements but no lock file."""
+    """Return a requirement for each ROS package, with its locked version.
+
+    The wheel's metadata must contain them, because pip doesn't read the lock file.
+    """
     return [line for line in bootstrap.read_sections(lock)["student"] if line.startswith(ROS)]
 
 
@@ -123,7 +126,7 @@ def _metadata(course: Path) -> dict[str, bytes]:
 
 
 def _is_for_authors(line: str) -> bool:
-    """Return whether a metadata line is about the authors' extra, which is useless without the checkout's tests."""
+    """Return whether a metadata line belongs to the `dev` extra, which is useless without the tests in a checkout."""
     return line == "Provides-Extra: dev" or line.endswith(("extra == 'dev'", 'extra == "dev"'))
 
 

@@ -1,4 +1,4 @@
-"""Read wrong answers, ``tests/wrong_answers/NN_slug/NAME.py``: one mistake each, and the criteria that it must lose.
+"""Read wrong answers, ``tests/wrong_answers/NN_slug/NAME.py``: programs with one mistake each that must lose points.
 
 Most mistakes are only a few lines, so the file contains those lines, and the rest comes from a right answer::
 
@@ -13,16 +13,16 @@ The header is the comment at the beginning of the file. Its sentences describe t
     loses      criteria that fail or earn only part of their points, separated by commas
     also       criteria that may be lost as well, depending on how busy the machine is
     skips      all criteria that are skipped; if the field is missing, skipped criteria aren't compared
-    cause      cause id of the first lost criterion's verdict; several are allowed if milliseconds decide
+    cause      cause ID of the first lost criterion's verdict; several are allowed if milliseconds decide
     says       words that the first lost criterion's feedback must contain; may be repeated
     soak       `yes` if the mistake shows only when the program runs in real time
     compiles   `no` if Python can't compile the program
     on         the program that is changed: `solution` (the default), `starter`, or `right/NAME.py`
 
-Each change names lines of that program, one comment per line. The code that follows replaces the `# replaces:` lines;
-without code, they are deleted. `# after:` and `# before:` lines stay, and the code goes below or above them. The named
-lines must occur exactly once, at any indentation. The code is indented like these lines, so only its relative
-indentation counts. A file without changes is a whole program.
+Each change names lines of that program, one comment per line. The code below the comments replaces the `# replaces:`
+lines; without code, those lines are deleted. `# after:` and `# before:` lines stay, and the code is inserted after or
+before them. The named lines must occur exactly once in the program, at any indentation. The code is indented to fit
+them, so only its relative indentation counts. A file without changes is a whole program.
 """
 
 import re
@@ -61,17 +61,17 @@ class Header:
     """Criteria that may be lost as well, depending on how busy the machine is."""
     skips: frozenset[str] | None
     causes: frozenset[str]
-    """The first lost criterion must have one of these cause ids. There are several if milliseconds decide."""
+    """The first lost criterion must have one of these cause IDs. There are several if milliseconds decide."""
     says: tuple[str, ...]
     soak: bool
     compiles: bool
     on: str | None
-    """None if the field is missing."""
+    """The program that is changed; None if the field is missing."""
 
 
 @dataclass(frozen=True)
 class Change:
-    """Some lines of a program and their replacement. Only their relative indentation counts."""
+    """Some lines of a program, and the lines that replace them. Only their relative indentation counts."""
 
     line: int
     """The line of the wrong answer's file in which the change begins."""
@@ -102,7 +102,7 @@ def read_wrong_answer(tree: Tree, path: Path) -> WrongAnswer:
 
     Raises:
         WrongAnswerError: the header is invalid, a change doesn't apply exactly once, the program is unchanged, or
-            the header is wrong about whether it compiles.
+            the header's `compiles` field is wrong.
         OSError: a file can't be read.
     """
     lines = path.read_text(encoding="utf-8").splitlines()
@@ -186,7 +186,7 @@ def _names(texts: Sequence[str]) -> frozenset[str]:
 
 
 def _only(path: Path, fields: dict[str, list[str]], name: str, value: str) -> bool:
-    """Return whether an optional field exists. Raises WrongAnswerError if its value isn't the only allowed one."""
+    """Return whether an optional field exists. Raises WrongAnswerError if its value isn't `value`."""
     if name in fields and fields[name] != [value]:
         raise WrongAnswerError(path, 1, f"'# {name}:' must be '{value}', not {fields[name][0]!r}")
     return name in fields

@@ -1,4 +1,5 @@
 """Check an answer, and probes that use it, with mypy in a separate process that the answer can't influence.
 
-Import `typecheck`: `type_check`, `MypyOptions`, `TypeCheckFailed`, and `warm_cache` before many checks.
+Import `type_check`, `MypyOptions`, and `TypeCheckFailed` from `typecheck`. Before many checks, also call its
+`warm_cache`.
 """

@@ -1,4 +1,4 @@
-"""Run mypy in a process that has it loaded. `inside/mypy_server.py` runs in that process."""
+"""Run mypy in a process that keeps it loaded. `inside/mypy_server.py` runs in that process."""
 
 import atexit
 import json
@@ -20,7 +20,10 @@ STATUS_BYTES = 100
 
 @dataclass(frozen=True)
 class MypyRun:
-    """A run of mypy: arguments, folder, environment, and limits on CPU time (s), memory (bytes), and real time (s)."""
+    """A run of mypy: its arguments, folder, environment, and limits.
+
+    `processor_s` limits the CPU time and `patience_s` the real time, in seconds. `memory` is in bytes.
+    """
 
     arguments: Sequence[str]
     folder: Path
@@ -43,7 +46,7 @@ class MypyRun:
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of a mypy run: its exit code (negative: the signal that ended it), stdout, and stderr."""
+    """The result of a mypy run: its exit code, stdout, and stderr. A negative code is the signal that ended it."""
 
     code: int
     said: str
@@ -53,8 +56,8 @@ class Outcome:
 class MypyServer:
     """A process in which mypy is loaded, because loading takes two thirds of a run over a short program.
 
-    The process starts with the first run and ends with its owner. Ctrl-C during a run ends it, too, and the next run
-    starts another one.
+    The process starts with the first run, and ends with the process that started it. Ctrl-C during a run ends it, too;
+    the next run then starts another one.
     """
 
     def __init__(self) -> None:
@@ -69,7 +72,7 @@ class MypyServer:
         return None if self._process is None else self._process.pid
 
     def run(self, run: MypyRun) -> Outcome:
-        """Run mypy. Raise TimeoutError after `patience_s`, and OSError if the process can't be started."""
+        """Run mypy. Raise TimeoutError after `patience_s` seconds, and OSError if the server process can't start."""
         with self._turn, tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
             descriptors = [said.fileno(), complaint.fileno()]
             told = self._ask(run, descriptors) or self._ask(
@@ -84,7 +87,7 @@ class MypyServer:
         return Outcome(os.waitstatus_to_exitcode(int(told)), *texts)
 
     def _ask(self, run: MypyRun, descriptors: Sequence[int]) -> bytes:
-        """Send a request, and return the run's exit status as sent by the server; empty if the server has ended."""
+        """Send a request, and return the exit status that the server sends back; empty if the server has ended."""
         try:
             channel = self._open(run.environ)
             channel.settimeout(run.patience_s)

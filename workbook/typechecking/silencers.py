@@ -1,4 +1,4 @@
-"""Find what keeps mypy from checking a program: comments that silence it, and code that it's told to skip."""
+"""Find the parts of a program that mypy can't check: comments that silence it, and code that it's told to skip."""
 
 import ast
 import io
@@ -22,7 +22,7 @@ _FOR_CHECKERS = (
     *(ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef),
     getattr(ast, "TypeAlias", ast.Pass),  # since Python 3.12
 )
-"""Statements that may be there for type checkers only. Others, such as `return`, make mypy skip the code after them."""
+"""Statements allowed in code for type checkers only. Others, such as `return`, make mypy skip the code after them."""
 
 
 def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
@@ -93,7 +93,10 @@ def _names_of_sys(tree: ast.Module) -> frozenset[str]:
 
 
 def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
-    """Return whether this node, outside of an `if` of the usual form, makes mypy skip code."""
+    """Return whether a node outside of an `if TYPE_CHECKING:` test makes mypy skip code.
+
+    Such a node reads a name in `_HIDING`, or changes an attribute of `sys` that mypy treats as constant.
+    """
     if isinstance(node.ctx, ast.Load):
         return _last_name(node) in _HIDING
     return (
@@ -105,16 +108,17 @@ def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
 
 
 def _asks_for_checkers(test: ast.expr) -> bool:
-    """Return whether the test is just a name such as `TYPE_CHECKING`, or `not` with such a name."""
+    """Return whether the test is only a name such as `TYPE_CHECKING`, or `not` with such a name."""
     if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
         test = test.operand
     return _last_name(test) in _HIDING
 
 
 def _hidden_code(node: ast.If) -> ast.stmt | None:
-    """Return an `if` statement's first code that mypy skips, or that makes it skip code; None if there is none.
+    """Return the first statement of an `if TYPE_CHECKING:` that hides code from mypy; None if there is none.
 
-    Imports are allowed.
+    mypy must not skip any statement that runs, except for imports. And in the code that doesn't run, no statement may
+    make mypy skip the code after it.
     """
     turned = isinstance(node.test, ast.UnaryOp) or _last_name(node.test) == "PY2"
     runs, skipped = (node.body, node.orelse) if turned else (node.orelse, node.body)
@@ -140,7 +144,10 @@ def _is_another_sys(node: ast.AST) -> bool:
 
 
 def _misjudged(node: ast.AST) -> bool:
-    """Return whether mypy compares only two numbers of the version where Python compares all five."""
+    """Return whether a comparison with `sys.version_info` may have a different result in mypy than in Python.
+
+    mypy compares only the first two of the five numbers. Only `sys.version_info >=` and `sys.version_info <` are safe.
+    """
     if not isinstance(node, ast.Compare):
         return False
     sides = [node.left, *node.comparators]

@@ -25,7 +25,7 @@ from workbook.typechecking.silencers import evasions, without_silencers
 
 TYPINGS = Path(__file__).resolve().parents[1] / "typings"
 SETTINGS = TYPINGS / "mypy.ini"
-# BARE is for checks without stubs: mypy then reads the installed rclpy and its messages
+# BARE is for checks without our stubs: mypy then reads the installed rclpy and the installed messages
 OURS = (f"--config-file={SETTINGS}",)
 BARE = ("--config-file=", "--disable-error-code=import-untyped")
 PROGRAM = "answer"
@@ -65,7 +65,11 @@ class TypeCheckFailed(RuntimeError):
 
 @dataclass(frozen=True)
 class MypyOptions:
-    """Options for running mypy: arguments, whether to use the course's stubs, and whether notes count as findings."""
+    """Options for running mypy.
+
+    `stubs` says whether to use the course's stubs, and `notes` whether mypy's notes count as findings. `processor_s`
+    limits the CPU time, in seconds.
+    """
 
     arguments: Sequence[str] = OURS
     stubs: bool = True
@@ -84,7 +88,7 @@ DEFAULT = MypyOptions()
 def type_check(
     program: str, probes: Mapping[str, str] | None = None, options: MypyOptions = DEFAULT
 ) -> tuple[Finding, ...]:
-    """Return mypy's findings on `program`, by line, and on each of the `probes`.
+    """Return the findings on `program`, sorted by line, and then those on each of the `probes`.
 
     Probes are short programs that import the program as `answer`. mypy's notes, such as the output of `reveal_type`,
     have the code "note". Raise TypeCheckFailed if mypy isn't installed, or if it fails through no fault of the program.
@@ -111,10 +115,10 @@ def type_check(
 
 
 def _write(file: Path, text: str) -> None:
-    """Write a module with a new time stamp.
+    """Write a module with a random modification time.
 
-    mypy treats a file as unchanged if its size and the second of its modification are unchanged (`validate_meta` in
-    mypy/build.py). That may well be so for two people's programs.
+    mypy treats a file as unchanged if its size and its modification time in whole seconds are (`validate_meta` in
+    mypy/build.py). Two people's programs could easily have the same size and time.
     """
     file.write_text(text, encoding="utf-8")
     moment_s = secrets.randbelow(2**31)
@@ -124,7 +128,7 @@ def _write(file: Path, text: str) -> None:
 def _run_mypy(
     folder: Path, files: Sequence[str], cache: Path, options: MypyOptions
 ) -> list[tuple[str, int, str, str]]:
-    """Run mypy on files of a folder, and return the module, line, code, and message of each finding."""
+    """Run mypy on files in a folder, and return each finding's module, line, code, and message."""
     arguments = [
         *options.arguments, "--output=json", "--no-error-summary", "--show-error-codes", "--explicit-package-bases",
         f"--cache-dir={cache}", *files,
@@ -171,7 +175,8 @@ def _read(said: str, notes: bool) -> Iterator[tuple[str, int, str, str]]:
 def _own_cache(options: MypyOptions) -> Path:
     """Return this process's mypy cache for these options, created as a copy of the environment's cache.
 
-    No other process writes to it, because mypy's conclusions from one person's program must not reach another's check.
+    No other process writes to the copy, because mypy's conclusions from one person's program must not affect the check
+    of another person's program.
     """
     global _cache
     if _cache is None or not _cache.is_dir():
@@ -187,7 +192,7 @@ def _own_cache(options: MypyOptions) -> Path:
 
 
 def warm_cache(options: MypyOptions = DEFAULT) -> None:
-    """Fill the environment's mypy cache for these options. Do nothing if it exists or can't be written.
+    """Fill the environment's mypy cache for these options. Do nothing if the cache exists or can't be written.
 
     Call this function before you start processes that can't write to the environment. Otherwise, each of them fills a
     separate cache. Raise TypeCheckFailed if mypy isn't installed or fails.
@@ -200,9 +205,10 @@ def warm_cache(options: MypyOptions = DEFAULT) -> None:
 
 
 def kept_folder() -> Path:
-    """Return the environment's mypy cache for rclpy and the messages, with a folder for each set of options.
+    """Return the folder of the environment's mypy cache, which has a subfolder for each set of options.
 
-    Its name changes with the installed mypy and rclpy, and with the course's stubs.
+    The cache covers rclpy and the messages. The folder's name changes with the installed mypy and rclpy, and with the
+    course's stubs.
     """
     state = hashlib.sha256(version("mypy").encode())
     rclpy = find_spec("rclpy")
@@ -213,7 +219,7 @@ def kept_folder() -> Path:
 
 
 def _fill_cache(kept: Path, options: MypyOptions) -> None:
-    """Run mypy on the common imports, and keep its cache. Do nothing outside of a writable virtual environment."""
+    """Run mypy on `COMMON`, and store mypy's cache in `kept`. Do nothing outside a writable virtual environment."""
     if sys.prefix == sys.base_prefix or not os.access(sys.prefix, os.W_OK):
         return
     folder = scratch_folder("types")

@@ -1,4 +1,4 @@
-"""Recognize classes of mutants that instructors accept, by rules on the changed syntax node."""
+"""Use rules about the changed syntax node to recognize classes of mutants that instructors accept."""
 
 from collections.abc import Iterator, Mapping
 
@@ -17,7 +17,7 @@ CLASSES: Mapping[str, str] = {
     "poll-time": "how long one poll of the executor waits may be chosen",
     "whole-number": "comparisons, calculations and timers treat 2 and 2.0 alike",
 }
-"""Why each class is accepted. A report can list classes that count as faults in its exercise (`judged_here`)."""
+"""The reason why each class is accepted. A report's `judged_here` lists classes that its exercise doesn't accept."""
 NEVER_JUDGED = ("log-text",)
 """Mutants of these classes are never run."""
 LOGS = ("debug", "info", "warn", "warning", "error", "fatal", "exception")
@@ -159,7 +159,7 @@ def _drops_poll_time(edit: Edit) -> bool:
 
 
 def _is_unused_default(node: cst.CSTNode, param: cst.Param, view: View) -> bool:
-    """Return whether the node is in the default of a parameter for which every call passes a value."""
+    """Return whether the node is in a parameter's default that is never used, because every call passes a value."""
     function = view.function(param)
     if (
         function is None

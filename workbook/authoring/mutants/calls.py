@@ -39,7 +39,7 @@ def _renamed(func: cst.BaseExpression, name: str) -> cst.BaseExpression:
 
 
 def unwrapped(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Yield edits that replace a call with one of its arguments, if it has only one or two positional arguments.
+    """Yield edits that replace a call with one of its arguments, if the call has only one or two positional ones.
 
     `float(x)` becomes `x`, and `max(0.0, x)` becomes `0.0` or `x`.
     """

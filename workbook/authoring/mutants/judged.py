@@ -21,7 +21,7 @@ JudgeAll = Callable[[Sequence[Job[str]]], Iterator[tuple[Job[str], Judgement]]]
 
 @dataclass(frozen=True)
 class Marks:
-    """The outcome for one program: the criteria that it lost, and the cause id of the first lost one."""
+    """The outcome for one program: the criteria that it didn't pass (`lost`), and the first lost one's cause ID."""
 
     lost: tuple[str, ...]
     cause: str = ""
@@ -33,7 +33,7 @@ class Marks:
 
 
 class Cache:
-    """Stores outcomes in a file, one per line. Each is written right away, so an interrupted run can be continued.
+    """Stores outcomes in a file, one per line. Each outcome is written right away, so an interrupted run can continue.
 
     `judge_sha256` must cover everything that affects an outcome, except the program itself.
     """
@@ -90,7 +90,7 @@ def judge_programs(
     say: Callable[[str, Marks], None] = lambda name, outcome: None,
     keep: Callable[[Marks], bool] = lambda outcome: True,
 ) -> dict[str, Marks]:
-    """Return the outcomes, keyed by program name. Programs that couldn't be judged are missing.
+    """Judge programs, and return the outcomes, keyed by program name. Programs that couldn't be judged are left out.
 
     Programs with a cached outcome aren't judged again. New outcomes are passed to `say`, and cached if `keep` returns
     true for them.
@@ -109,9 +109,9 @@ def judge_programs(
 
 
 def outcome_of(tries: Iterable[Judgement]) -> Marks | None:
-    """Return the outcome of the try that counts.
+    """Return the outcome of the judgment that counts among the tries.
 
-    Return None if the answer couldn't be judged or if that try was inconclusive.
+    Return None if the answer couldn't be judged, or if that judgment was inconclusive.
     """
     judgement = counting([*tries])
     if judgement.status != "graded" or judgement.inconclusive_reason:

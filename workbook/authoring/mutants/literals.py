@@ -42,7 +42,7 @@ def _floats(node: cst.Float, value: float) -> Iterator[Edit]:
 
 
 def texts(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Yield edits that lengthen or empty a string, or replace or reformat one value of an f-string."""
+    """Yield edits that lengthen or empty a string, replace one value of an f-string, or drop the value's format."""
     if isinstance(node, cst.SimpleString) and isinstance(node.evaluated_value, str):
         value = node.evaluated_value
         for other in (value + "x", "") if value else ("x",):

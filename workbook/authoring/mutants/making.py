@@ -37,13 +37,13 @@ OPERATORS: tuple[Operator, ...] = (
     state.kept_results,
 )
 TYPED = (*OPERATORS, state.missing_hints)
-"""Operators for exercises that a type checker judges."""
+"""The operators for exercises that a type checker judges, which also change type hints."""
 ID_LENGTH = 10
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """A program with one fault. `base` names the right answer it was made from: "solution" or "right/NAME.py".
+    """A program with one fault. `base` names the right answer that it was made from: "solution" or "right/NAME.py".
 
     `id` depends on the operator, the changed lines, their scope, and `base`, but not on the line number. `classes` are
     the accepted classes that the mutant belongs to; see `accepted`.
@@ -61,9 +61,10 @@ class Mutant:
 
 
 def mutants_of(base: str, program: str, *, typed: bool = False) -> list[Mutant]:
-    """Return all mutants of a program that compile and differ in more than comments and layout, from top to bottom.
+    """Return a program's mutants from top to bottom.
 
-    Raises libcst.ParserSyntaxError if the program isn't Python.
+    Leave out mutants that don't compile, or that differ from the program only in comments and layout. Raises
+    libcst.ParserSyntaxError if the program isn't Python.
     """
     view = View(program)
     seen = {_meaning(program)}

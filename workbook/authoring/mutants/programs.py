@@ -46,7 +46,7 @@ def all_mutants(exercise: Exercise, programs: Mapping[str, Answer]) -> list[Muta
 
 
 def inputs_of(exercise: Exercise, programs: Mapping[str, Answer]) -> dict[str, str]:
-    """Return the hashes of a report's inputs: the operators, the programs, and the code that judges them."""
+    """Return the hashes of a report's inputs, keyed by name: the criteria, the operators, and each program."""
     return {
         "criteria": exercise.criteria_sha256,
         "operators": operators_sha256(),

@@ -27,7 +27,7 @@ HEAD = """\
 class Free:
     """A place where the task leaves the choice to the student. Mutants that survive there are accepted, for `reason`.
 
-    `scope`, `code`, and `base` are patterns for a mutant's scope, original lines, and base. No `operators` means all.
+    `scope`, `code`, and `base` are patterns for a mutant's scope, original lines, and base. Empty `operators` mean all.
     """
 
     reason: str

@@ -29,7 +29,7 @@ CHANCES = 3
 def on_slots(slots: int | None = None) -> JudgeAll:
     """Return a function that judges jobs on this machine, with `slots` slots and the best available isolation.
 
-    Without a number, use one slot per processor, or `WAITING` if programs run on the wall clock.
+    If `slots` is None, use one slot per processor, or `WAITING` slots per processor if programs use the wall clock.
     """
     from workbook.grading.single import best_isolation
 
@@ -47,7 +47,7 @@ def on_slots(slots: int | None = None) -> JudgeAll:
 def report_mutants(
     tree: Tree, stems: Iterable[str], judge: JudgeAll, *, most: int = MOST, say: Say = print
 ) -> list[Report]:
-    """Generate and judge the mutants of these exercises, and write their reports. Return the reports.
+    """Judge at most `most` mutants of each of these exercises. Write the reports, and return them.
 
     Raises:
         AuthoringError: a right answer doesn't get full marks, or a report can't be read.
@@ -61,7 +61,7 @@ def report_mutants(
 
 
 def report_one(tree: Tree, stem: str, judge: JudgeAll, *, most: int, say: Say = print) -> Report:
-    """Generate and judge the mutants of one exercise, and write and return its report.
+    """Judge at most `most` mutants of one exercise. Write its report, and return it.
 
     Raises:
         AuthoringError: see `report_mutants`.
@@ -107,7 +107,10 @@ def cache_of(tree: Tree, exercise: Exercise) -> Cache:
 
 
 def _must_be_right(stem: str, programs: Mapping[str, Answer], cache: Cache, judge: JudgeAll) -> None:
-    """Raise AuthoringError unless all right answers get full marks: otherwise, their mutants would prove nothing."""
+    """Raise AuthoringError unless all right answers get full marks.
+
+    The mutants of an answer without full marks would prove nothing.
+    """
     for chances_left in reversed(range(CHANCES)):
         outcomes = judge_programs(stem, programs, cache, judge, keep=lambda outcome: outcome.full_marks)
         lost = {base: outcome for base, outcome in outcomes.items() if not outcome.full_marks}

@@ -20,7 +20,7 @@ def outdated_reports(tree: Tree) -> Iterator[Violation]:
 
 
 def lost_mutants(tree: Tree) -> Iterator[Violation]:
-    """Yield reports that can't be read, and mutants in reports that the operators no longer generate."""
+    """Yield a violation for each unreadable report, and for each mutant that the operators no longer generate."""
     for stem in stems_in(tree.mutants, ".toml"):
         if stem not in tree.exercise_stems():  # reported as misplaced
             continue

@@ -19,10 +19,10 @@ ENTRY = ("main", "__init__", "__post_init__")
 
 
 def forgetful_calls(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Yield edits that make a function without a result skip some of its calls.
+    """Yield edits that make a function without a result do nothing in some of its calls.
 
-    It works only the first time, every time but the first, every second time, or five times. If it has a parameter,
-    further edits skip a call whose first argument equals the previous call's or any earlier call's first argument.
+    It works only in the first call, in all calls but the first, in every second call, or in the first five. If it has a
+    parameter, further edits skip a call whose first argument equals the previous call's or any earlier call's.
     """
     if not isinstance(node, cst.FunctionDef) or not _may_be_skipped(node):
         return
@@ -95,7 +95,7 @@ def _assigns(node: cst.FunctionDef, name: str) -> bool:
 
 
 def _assignments(node: cst.CSTNode) -> Iterator[tuple[str, cst.BaseExpression]]:
-    """Yield each attribute of `self` that is assigned below a node, with the assigned value."""
+    """Yield each attribute of `self` that is assigned inside a node, with the assigned value."""
     if isinstance(node, (cst.Assign, cst.AnnAssign, cst.AugAssign)) and node.value is not None:
         targets = [one.target for one in node.targets] if isinstance(node, cst.Assign) else [node.target]
         for target in targets:

@@ -101,11 +101,11 @@ class ErrorPages:
         return tuple(found)
 
     def cells(self, lesson: str) -> frozenset[str]:
-        """Return the ids of a lesson's cells that these pages link to."""
+        """Return the IDs of a lesson's cells that these pages link to."""
         return frozenset(one.cell for page in self.pages for one in page.exhibits if one.lesson == lesson)
 
     def texts(self) -> Iterator[tuple[str, str]]:
-        """Yield each page's file name and Markdown text, the two lists included."""
+        """Yield the file name and the Markdown text of each page and of the two lists."""
         for page in self.pages:
             yield f"{FOLDER}/{page.name}.md", self._page(page)
         yield f"{FOLDER}/index.md", self._index()

@@ -1,4 +1,4 @@
-"""Generate the results of a class of forty from stored recordings, some of them with changes."""
+"""Generate grading results for a class of forty students from stored recordings, some of which are modified."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -71,7 +71,10 @@ KINDS: tuple[tuple[str, Change], ...] = (
 
 
 def generated_class(exercise: Exercise, out: Path) -> Iterator[Result]:
-    """Yield forty results, and store their recordings below `out`. Three weren't graded, and two were tried twice."""
+    """Yield forty results, and store their recordings under `out`.
+
+    Three answers weren't graded; two were judged twice.
+    """
     by = GradedBy(exercise, "sandbox", out)
     for number, name, (recording, change) in zip(range(SIZE - 1), cycle(NAMES), cycle(KINDS), strict=False):
         student = name if number < len(NAMES) else f"{name} {number // len(NAMES) + 1}"

@@ -88,7 +88,7 @@ class Guides:
 
     @cached_property
     def _likely(self) -> dict[str, dict[str, str]]:
-        """The text under *Likely cause*, keyed by exercise and cause id. A few causes have no such text."""
+        """The text under *Likely cause*, keyed by exercise and cause ID. A few causes have no such text."""
         shared = _likely_causes(Path(vocabulary.__file__).parent.glob("*.toml"))
         return {
             stem: {
@@ -191,6 +191,6 @@ def _table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def _cell(text: str) -> str:
-    """Return a text on one line for a table cell. The cells of a table row in the text are separated by dots."""
+    """Return a text on one line, for a table cell. If the text is itself a table row, dots separate its cells."""
     words = " · ".join(part.strip() for part in text.strip().strip("|").split("|"))
     return " ".join(words.split()).replace("<", "&lt;")

@@ -20,7 +20,7 @@ class Links:
     moved: dict[str, str]
 
     def in_page(self, text: str) -> str:
-        """Rewrite a Markdown text's links to lead to the site's pages. Links to files that aren't there become text."""
+        """Rewrite a Markdown text's links to lead to the site's pages. Links to files not on the site become text."""
         parts = _CODE.split(text)
         return "".join(part if at % 2 else _LINK.sub(self._link, part) for at, part in enumerate(parts))
 

@@ -62,7 +62,7 @@ class Pictures:
 
 @dataclass(frozen=True)
 class NotebookPage:
-    """Converts a notebook to the source of a page. `cells` are the ids of the cells that other pages link to."""
+    """Converts a notebook to the source of a page. `cells` are the IDs of the cells that other pages link to."""
 
     stem: str
     links: Links

@@ -28,8 +28,8 @@ class SiteRobot:
     """A robot on a page: the cell that it follows, and the program whose recording moves it.
 
     `program` is the name of a lesson's program, or another program's path. `topics` maps each recorded topic to its
-    period (s). `ease` is the time (s) that the robot takes to reach a pose. `slider` is the parameter that has one
-    recording for each of `values`; it's empty if there is no slider.
+    period in seconds. `ease` is how many seconds the robot takes to reach a pose. `slider` is the parameter that has
+    one recording for each of `values`; it's empty if there is no slider.
     """
 
     lesson: str
@@ -45,7 +45,7 @@ class SiteRobot:
     value: float = 0.0
     clock: Clock = "simulated"
     companion: str = ""
-    """The module of a second node that runs in the same process: a lesson's, or one in `companions/`."""
+    """The module of a second node in the same process, in `lesson_nodes/` or `companions/`; empty if there is none."""
     plays: str = ""
     """The name of another robot's recording to play; empty if the robot has its own."""
 
@@ -58,7 +58,7 @@ class SiteRobot:
         return tuple(f"{name}-{value:g}" for value in self.values) or (name,)
 
     def runs(self) -> Iterator[tuple[str, dict[str, Any]]]:
-        """Yield each own recording's name with the parameters of its run."""
+        """Yield the name of each recording to make for this robot, and the parameters of its run."""
         if not self.values and not self.plays:
             yield self.names[0], self.parameters
         for name, value in zip(self.names, self.values, strict=False):

@@ -56,7 +56,7 @@ def write_sources(tree: Tree, folder: Path) -> None:
 
 
 def _own_pages(tree: Tree) -> Iterator[tuple[str, str]]:
-    """Yield the path and text of each page that exists only on the site, with its marks replaced."""
+    """Yield the path and text of each page that exists only on the site, with its placeholders replaced."""
     put_in = {
         "@ROBOT@": robot_figure(replace(site_robots()[0], about=GREETING), root=""),
         "@LESSONS@": "\n".join(tree.lesson_stems()),
