@@ -10,18 +10,24 @@ from workbook.exercise.course import is_from_wheel
 from workbook.isolation.bubblewrap import system_files
 
 HIDDEN = frozenset({"artifacts", "build", "dist", "tests", "work"})
-"""Folders of a clone that are hidden from servers, in addition to names that begin with a dot."""
+"""Folders of a clone that are hidden from servers. Names that begin with a dot are hidden, too."""
 SETTINGS = ("/etc/hosts", "/etc/nsswitch.conf", "/etc/fonts", "/etc/ssl/openssl.cnf")
 EXCHANGE = Path("/srv/nbgrader/exchange")
 """nbgrader's default exchange folder."""
 _AS_STUDENT = 'umask 027 && exec "$@"'
-"""Only the group can read new files. For hand-ins, that's the instructors."""
+"""Runs a student's server. New files are readable only by their owner and group.
+
+For hand-ins, that's the group of the instructors.
+"""
 _AS_INSTRUCTOR = 'mount -t proc proc /proc && umask 022 && exec "$@"'
-"""The kernel allows a nested sandbox its own /proc only if this one's /proc is fully visible."""
+"""Runs an instructor's server, which needs nested sandboxes.
+
+The kernel allows a nested sandbox its own /proc only if this sandbox's /proc is fully visible.
+"""
 
 
 def home_of(name: str) -> str:
-    """Return the path of the home folder inside the sandbox."""
+    """Return the path of a user's home folder inside the sandbox."""
     return f"/home/{name}"
 
 
@@ -39,10 +45,10 @@ def confined(
     is_instructor: bool = False,
     services: Sequence[Path] = (),
 ) -> list[str]:
-    """Wrap `command` to run as the user of `place`, with its own files and processes. Root must start the result.
+    """Wrap `command` to run as the user of `place`, with separate files and processes. Root must start the result.
 
-    `memory_folders`: the size (bytes) of /tmp and of /dev/shm. An instructor can also read all hand-ins, write pages,
-    and sandbox answers. `services`: folders with sockets.
+    `memory_folders`: the size of /tmp and of /dev/shm, in bytes each. An instructor can also read all hand-ins, publish
+    pages, and run answers in a sandbox. `services`: folders with the sockets of services that students may use.
     """
     line = [
         *("bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try"),
@@ -87,7 +93,10 @@ def confined(
 
 
 def _way_to(path: Path) -> list[str]:
-    """Create the parents of `path` with mode 0755. If only its owner may enter `path`, bubblewrap would close them."""
+    """Return the bubblewrap options that create the parents of `path` with mode 0755.
+
+    Without them, bubblewrap would let no other user into the parents if only its owner may enter `path`.
+    """
     return [word for folder in [*path.parents][-2::-1] for word in ("--perms", "0755", "--dir", str(folder))]
 
 

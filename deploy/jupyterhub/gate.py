@@ -4,7 +4,7 @@
 
 The namespace contains only a loopback interface, so no DDS packet gets out, and only the hub's port can be reached from
 inside. A socket belongs to the namespace of the thread that created it, so one thread enters the namespace and creates
-sockets there. The command ends with this process. The process must run as root; it never inspects the bytes that it
+sockets there. The command ends with this process, which must run as root. The process never inspects the bytes that it
 forwards.
 """
 

@@ -19,21 +19,24 @@ PREFIX = "rclpy-class-"
 
 @dataclass(frozen=True)
 class Limits:
-    """The limits of one server: memory in bytes, processors, and processes including threads. None: no limit."""
+    """The limits of one server. None means no limit.
+
+    `memory`: in bytes. `processors`: how many it may use. `processes`: how many it may have, including threads.
+    """
 
     memory: int | None
     processors: float | None
     processes: int | None
 
     def of_version_1(self) -> Mapping[str, Mapping[str, int]]:
-        """Return the files of each controller, with their values."""
+        """For version 1, return each controller's files, with the values to write into them."""
         quota = {} if self.processors is None else {"cpu.cfs_quota_us": int(self.processors * PERIOD_US)}
         memory = {} if self.memory is None else {"memory.limit_in_bytes": self.memory}
         processes = {} if self.processes is None else {"pids.max": self.processes}
         return {"memory": memory, "cpu": quota, "pids": processes}
 
     def of_version_2(self) -> Mapping[str, str]:
-        """Return the files of the single group, with their values."""
+        """For version 2, return the files of the server's only group, with the values to write into them."""
         files: dict[str, str] = {}
         if self.memory is not None:
             files |= {"memory.max": str(self.memory), "memory.swap.max": "0"}
@@ -45,7 +48,10 @@ class Limits:
 
 
 def make_groups(name: str, limits: Limits) -> list[Path]:
-    """Create a server's cgroups, leaving out any that can't be created. Processes join by the file `cgroup.procs`."""
+    """Create a server's cgroups, leaving out any that can't be created.
+
+    A process joins a group by writing its ID to the group's `cgroup.procs`.
+    """
     try:
         hierarchy = find_hierarchy()
         above = prepare(hierarchy)
@@ -64,7 +70,7 @@ def make_groups(name: str, limits: Limits) -> list[Path]:
 
 
 def join_files(groups: list[Path]) -> list[str]:
-    """Return the files to which a process writes its ID to join the groups."""
+    """Return the files to which a process must write its ID to join the groups."""
     return [str(group / PROCESSES) for group in groups]
 
 

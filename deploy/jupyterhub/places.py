@@ -19,9 +19,9 @@ PUBLISHED = "published"
 
 @dataclass(frozen=True)
 class Place:
-    """A student's folders below the class folder `top`, and the student's ID as user and as group.
+    """A student's folders under the class folder `top`.
 
-    `instructors`: the group ID of all instructors.
+    `user`: the student's ID as user and as group. `instructors`: the group ID of all instructors.
     """
 
     name: str
@@ -31,12 +31,12 @@ class Place:
 
     @property
     def work(self) -> Path:
-        """Notebooks and progress."""
+        """The folder for notebooks and progress."""
         return self.top / STUDENTS / self.name / "work"
 
     @property
     def home(self) -> Path:
-        """Everything else that belongs to the student."""
+        """The folder for everything else that belongs to the student."""
         return self.top / STUDENTS / self.name / "home"
 
     @property
@@ -46,12 +46,12 @@ class Place:
 
     @property
     def hand_ins(self) -> Path:
-        """Answers, which the student sees in the work folder."""
+        """The folder for answers, which the student sees in the work folder."""
         return self.top / HAND_INS / self.name
 
     @property
     def published(self) -> Path:
-        """An instructor's pages, which the student sees in the work folder."""
+        """The folder for an instructor's pages, which the student sees in the work folder."""
         return self.top / PUBLISHED / self.name
 
 
@@ -78,7 +78,7 @@ def _user_id(students: Path, name: str, first_id: int) -> int:
 
 
 def _make(place: Place) -> None:
-    """Create a new student's folders. The student can't have put anything there yet."""
+    """Create a new student's folders. The student had no access to them before, and can't have put anything there."""
     for folder, user, mode in (
         (place.home.parent, 0, 0o700),
         (place.hand_ins, place.user, 0o2750),  # new files belong to the instructors' group

@@ -1,6 +1,6 @@
 """Publish each student's result pages: `python -m deploy.jupyterhub.publish grades published`.
 
-`grades` is the folder that `workbook grade --format html` wrote. Students find their pages in the folder `feedback`.
+`grades` is the folder that `workbook grade --format html` wrote. Students find their pages in their `feedback` folder.
 """
 
 import argparse

@@ -38,7 +38,7 @@ class ClassSpawner(LocalProcessSpawner):
         self.groups = []
 
     def user_env(self, env: dict[str, str]) -> dict[str, str]:
-        """Add the variables of the student's account, which doesn't exist on this machine."""
+        """Add the environment variables that an account would provide, because students have none on this machine."""
         name = self.user.name
         account = {"USER": name, "LOGNAME": name, "HOME": home_of(name), "SHELL": "/bin/bash"}
         check = {ADDRESS: f"{self.check_folder}/{SOCKET}"} if self.check_folder else {}
@@ -79,7 +79,7 @@ class ClassSpawner(LocalProcessSpawner):
         """Return None while the server runs, and otherwise its exit code, or 0 if that isn't known.
 
         After a restart of the hub, the gate is another process's child. When the gate ends, it stays a zombie until
-        that process reaps it, and JupyterHub would take it for a running server.
+        that process reaps it, and JupyterHub would assume that the server is still running.
         """
         if self.proc is None and self.pid and _is_zombie(self.pid):
             self.clear_state()

@@ -18,7 +18,7 @@ JUDGED, NOT_YET, FAULT = 0, 1, 2
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    """Add the subcommand with an action for each grading system."""
+    """Add the subcommand, with an action for each grading system."""
     parser = subparsers.add_parser(
         "autograde",
         help="judge one submission on Gradescope or GitHub (the autograders from `workbook package` call this)",
@@ -75,7 +75,7 @@ def run_gradescope(options: argparse.Namespace) -> int:
 def _line(result: "Result") -> str:
     """Return a result as one printable line.
 
-    Line breaks must not get through: students choose file names, and a log line that begins with `::` is a GitHub
+    Line breaks are removed, because students choose file names, and a log line that begins with `::` is a GitHub
     command.
     """
     said = result.reason if result.score is None else f"{result.score:g} of {result.max_score:g} points"
@@ -118,7 +118,7 @@ def _append(path: Path | None, text: str) -> None:
 
 
 def _outputs(pushed: "Sequence[Pushed]", out: Path) -> str:
-    """Store the results below `out`, and return those for Classroom as lines of name=value."""
+    """Store the results under `out`, and return those for Classroom as lines of the form name=value."""
     from workbook.grading.files import write_whole
     from workbook.grading.github import classroom, encoded
     from workbook.grading.results_file import RESULTS, ResultsFile

@@ -55,7 +55,10 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """Judge the answer. Start it before importing the judge, so that both load in parallel. Return the exit code."""
+    """Judge the answer, and return the exit code.
+
+    Start the answer before importing the judge, so that both load in parallel.
+    """
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.early_start import StartedAnswer
@@ -112,7 +115,10 @@ def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) ->
 
 
 def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:
-    """Store the outcome in the student's progress, as `%check` does, if the file is in the student's answers folder."""
+    """Store the outcome in the student's progress, as `%check` does.
+
+    Do nothing if the file isn't in the student's answers folder.
+    """
     from workbook.lesson.best_answers import Check
 
     if file.resolve().parent == student_answers().resolve():

@@ -1,7 +1,7 @@
 """`workbook completion`: print a script that makes a shell complete commands, options, exercises, and topics on Tab.
 
-The script comes from argcomplete. On Tab, it calls `workbook`, and `answer_tab` writes the completions. So the script
-stays valid when a command changes.
+The script comes from argcomplete. When the user presses Tab, it calls `workbook`, and `answer_tab` writes the
+completions. So the script stays valid when a command changes.
 """
 
 import argparse

@@ -33,7 +33,7 @@ def register(subparsers: Any) -> None:
 
 
 def line(finding: "HealthFinding", stream: TextIO) -> str:
-    """Return a finding as text: a sign, its status, its title, what we saw, and the next step on a new line.
+    """Return a finding as text: a sign, its status, its title, the observation, and the next step on a new line.
 
     Color the status on a terminal. Use ASCII signs if the stream's encoding lacks ✓ and ✗.
     """
@@ -57,7 +57,7 @@ def _in_column(text: str) -> str:
 
 
 def report() -> str:
-    """Return the versions and findings as plain text without personal names, so that it can be published."""
+    """Return the versions and findings as plain text without personal names, so that users can publish it."""
     from workbook.cli.report import doctor_lines
     from workbook.exercise.course import is_from_wheel
     from workbook.grading.new_results import versions

@@ -157,7 +157,10 @@ def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
 def _judges(
     options: argparse.Namespace, exercise: "Exercise", screen: GradeScreen
 ) -> "AbstractContextManager[GradingBackend]":
-    """Return the backend, local slots or a farm, and print which. Raises BadOption, NoSandbox, or NoJudges."""
+    """Return the backend, which is local slots or a farm, and print which one is used.
+
+    Raises BadOption, NoSandbox, or NoJudges.
+    """
     from workbook.grading.roster import BadOption
     from workbook.grading.slots.scheduler import LocalSlots
     from workbook.isolation.tiers import meets_others

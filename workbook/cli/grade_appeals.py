@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
-    """Return the changes from the `--override` file; an empty list without one.
+    """Return the changes from the `--override` file; an empty list if the option isn't given.
 
     Raises BadOption for an invalid line, in this file or among the stored changes.
     """
@@ -27,7 +27,7 @@ def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
 
 
 def take(out: Path, lines: "Sequence[OverrideLine]", results: "Mapping[StudentAndExercise, Result]") -> int:
-    """Store the changes if all of them match the results; otherwise, print the problem and store none.
+    """Store the changes if all of them match the results. Otherwise, print the problem and store none.
 
     Return the exit code: 0 if they match, else 2. Raises FolderInUse.
     """

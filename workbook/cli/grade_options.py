@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from workbook.grading.roster import Roster
 
 SLOTS_PER_CORE = {"simulated": 2, "wall": 4}
-"""Answers to run in parallel on each core. On the wall clock, they spend nine tenths of their time waiting."""
+"""How many answers run in parallel per core, keyed by clock. With "wall", they wait nine tenths of the time."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

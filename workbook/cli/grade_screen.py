@@ -1,4 +1,4 @@
-"""The output of `workbook grade`: progress while it runs, and summaries at the end."""
+"""Print the output of `workbook grade`: progress while it runs, and summaries at the end."""
 
 import os
 import sys
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def minutes(seconds: float) -> str:
-    """Format a duration (s): "4:05 min" from one minute on, "42 s" below."""
+    """Format a duration in seconds, such as "42 s", or "4:05 min" from one minute on."""
     whole = round(seconds)
     return f"{whole // 60}:{whole % 60:02d} min" if whole >= 60 else f"{whole} s"
 
 
 def outcome(result: "Result") -> str:
-    """Return the score and the maximum, such as "8/10"; if the answer wasn't graded, the status and the reason."""
+    """Return the score and the maximum, such as "8/10", or the status and the reason if the answer wasn't graded."""
     if result.status != "graded":
         return f"{result.status}: {result.reason}"
     return f"{result.score:g}/{result.max_score:g}"
@@ -34,7 +34,7 @@ def printable(text: object) -> str:
 
 
 class GradeScreen:
-    """Shows progress: on one line of a terminal, or as one line per answer in a file."""
+    """Shows progress, on a single line in a terminal or as one line per answer in a file."""
 
     def __init__(self) -> None:
         self._is_terminal = sys.stderr.isatty()
@@ -65,7 +65,10 @@ class GradeScreen:
 
 
 class Stopping:
-    """Handles Ctrl-C. The first one lets running answers finish. The second one exits, but keeps finished judgments."""
+    """Handles Ctrl-C. The first one lets the judgments in progress finish.
+
+    The second one exits right away, but keeps the finished judgments.
+    """
 
     def __init__(self) -> None:
         self.wanted = False
@@ -122,7 +125,10 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
 
 
 def conclude_regrading(found: "Sequence[Regraded]", exercise: str) -> int:
-    """Print whose marks changed, and who couldn't be judged again. Return the exit code: 1 for the latter, else 0."""
+    """Print whose marks changed, and whose results couldn't be judged again.
+
+    Return the exit code: 1 if a result couldn't be judged again, else 0.
+    """
     changed = [one for one in found if one.changed]
     troubled = [one for one in found if one.problem]
     print(f"{len(found)} recordings of {exercise} judged again; the marks of {len(changed)} changed.")
@@ -140,7 +146,7 @@ def _points(points: float | None) -> str:
 
 
 def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -> int:
-    """Print whose verdict changes from run to run. Return the exit code: 1 if there are any, else 0."""
+    """Print whose verdict changes from run to run. Return the exit code: 1 if a verdict changes, else 0."""
     print(f"{answers} answers, each judged {times} times: {len(found)} with changing verdicts.")
     for one in found:
         print(f"  {printable(one.student)}:")
@@ -150,7 +156,7 @@ def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -
 
 
 def _about_tries(results: "Sequence[Result]") -> list[str]:
-    """Return lines that count the answers that were tried again, and name those whose tries differ."""
+    """Return lines with the number of answers that were tried again, and with the students whose tries differ."""
     twice = [result for result in results if result.tries]
     if not twice:
         return []

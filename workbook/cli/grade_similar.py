@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
 
 SHOWN = 100
-"""Maximum number of pairs to print. If there are more, the answers are similar because the task leaves no choice."""
+"""The most pairs to print. If there are more, answers are similar because the task leaves no choice."""
 HINT = (
     "This is a hint, not a verdict. Two correct answers to a short task can look the same although both students "
     "worked alone. Read both answers, and talk to the students, before you conclude anything."

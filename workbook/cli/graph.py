@@ -16,7 +16,7 @@ from workbook.ros.environment import prepare
 from workbook.ros.notebook_registry import OpenNotebook, open_notebooks
 
 _LAST_DOMAIN = 232
-"""The highest domain id that ROS allows."""
+"""The highest domain ID that ROS allows."""
 
 
 class NoChoice(Exception):
@@ -171,7 +171,7 @@ def _say_who_waits(nodes: Sequence[str]) -> None:
 
 
 def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], None]:
-    """Return a callback that takes the published topics, and prints that no node publishes the requested one."""
+    """Return a callback that takes the published topics, and prints that the requested topic isn't among them."""
     topic = "/" + options.topic.strip("/")
 
     def say(published: Sequence[str]) -> None:
@@ -190,7 +190,7 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
 def _topic_meant(topic: str, published: Sequence[str]) -> str:
     """Return a question that suggests the topic that was probably meant; "" if there is none.
 
-    That's the same name in a namespace or, failing that, a similar name.
+    Prefer a published topic that has the same name in a namespace. Otherwise, suggest a similar name.
     """
     ending = [name for name in published if name.endswith(topic)]
     return f"Did you mean {ending[0]}?" if ending else terminal.meant(topic, published, cutoff=0.75)

@@ -60,7 +60,10 @@ def _level(text: str | None) -> int | None:
 
 
 def hints_of(stem: str, hints: tuple[str, ...], level: int | None) -> str:
-    """Return the hints up to `level` (None: the next one) as text, and record in the progress how many were shown."""
+    """Return the hints up to `level` as text, and record in the progress how many were shown.
+
+    If `level` is None, show one more hint than before.
+    """
     from workbook.lesson.progress import changed_progress
 
     with changed_progress(stem) as progress:

@@ -46,7 +46,10 @@ def build_parser() -> CommandParser:
 
 
 def drop_search_path() -> None:
-    """Restart without PYTHONPATH and PYTHONHOME if we use the wheels' rclpy, because a sourced ROS would hide it."""
+    """Restart without PYTHONPATH and PYTHONHOME if we use the wheels' rclpy.
+
+    Otherwise, a ROS installation that was sourced would hide the wheels.
+    """
     if not (os.environ.get("PYTHONPATH") or os.environ.get("PYTHONHOME")):
         return
     from workbook.ros.environment import uses_wheels

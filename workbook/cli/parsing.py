@@ -1,4 +1,4 @@
-"""The parser of the `workbook` command: argparse with grouped help and error messages in plain sentences."""
+"""Define the parser of the `workbook` command: argparse with grouped help and error messages in plain sentences."""
 
 import argparse
 import re
@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 from workbook.cli import terminal
 
 Groups = Sequence[tuple[str, Sequence[str]]]
-"""Headings of a help page, each with the commands to list below it."""
+"""The headings of a help page, each with the commands to list under it."""
 _PLACE = 4
 _ARGUMENT = re.compile(r"argument (?P<name>\S+): (?P<what>.*)", re.DOTALL)
 _CHOICE = re.compile(r"invalid choice: '?(?P<word>.*?)'? \(choose from")
@@ -56,7 +56,7 @@ class CommandParser(argparse.ArgumentParser):
         return [action for action in self._actions if action is not self._below]
 
     def format_usage(self) -> str:
-        """Return the usage line, without listing the optional options."""
+        """Return the usage line, which abbreviates all options that may be omitted to [OPTIONS]."""
         self.usage = self._line_to_type()
         return super().format_usage()
 
@@ -99,7 +99,7 @@ class CommandParser(argparse.ArgumentParser):
         return f"{margin}{name.ljust(column - _PLACE)}{text[column:]}".split("\n")
 
     def error(self, message: str) -> NoReturn:
-        """Print what is wrong and what to do, in sentences, and exit with code 2."""
+        """Print the problem and the next step as sentences, and exit with code 2."""
         what = f"{self._in_words(message).rstrip('.')}"
         end = "" if what.endswith("?") else "."
         lines = [f"{self.prog}: {what}{end}"]
@@ -153,7 +153,7 @@ def _place(action: argparse.Action) -> str:
 
 
 def show_what_is_below(parser: CommandParser) -> int:
-    """List the subcommands of a command that was typed without one. Return the exit code."""
+    """Print the subcommands of a command that was typed without one. Return the exit code."""
     if parser.groups:
         print(parser.format_help(), end="")
         return 0

@@ -1,4 +1,4 @@
-"""Find a student's files from any current folder: the course's folder, `work/`, or a folder below it."""
+"""Find a student's files from any current folder: the course's folder, `work/`, or a folder inside `work/`."""
 
 import os
 from pathlib import Path
@@ -7,10 +7,10 @@ ANSWERS_VARIABLE = "WORKBOOK_ANSWERS"
 
 
 def student_answers() -> Path:
-    """Return the folder of the student's answers, which may not exist yet. Set it for the rest of this process, too.
+    """Return the folder with the student's answers, which may not exist yet. Store it in WORKBOOK_ANSWERS.
 
-    That's the folder in WORKBOOK_ANSWERS, else `answers/` in the current work folder, else the one in the course's
-    `work/`. Raises NoCourse.
+    If that variable is already set, return its folder. Otherwise, return `answers/` in the current work folder or,
+    failing that, in the course's `work/`. Raises NoCourse.
     """
     from workbook.exercise.answer_files import ANSWERS, answers_folder
     from workbook.exercise.course import course_folder

@@ -61,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _sha256(file: Path, stem: str) -> str:
-    """Return the answer's hash; "" if it can't be judged, because a report may include such an answer, too."""
+    """Return the answer's hash; "" if the answer can't be judged, because a report may include it anyway."""
     from workbook.exercise.answers import Ungradable, read_answer
 
     try:
@@ -71,7 +71,7 @@ def _sha256(file: Path, stem: str) -> str:
 
 
 def doctor_lines() -> tuple[str, ...]:
-    """Return the doctor's findings, one per line. Wrapping could split a path, which then wouldn't be redacted."""
+    """Return the doctor's findings, one per line. They aren't wrapped, because a split path wouldn't be redacted."""
     from workbook.lab.health import examine
 
     return tuple(f"{one.status:<5} {one.title}: {one.saw} {one.todo}".rstrip() for one in examine())

@@ -1,4 +1,4 @@
-"""`workbook restore`: make the best version of an answer that was ever judged the file to hand in again."""
+"""`workbook restore`: bring back an answer's best version that was ever judged, as the file to hand in."""
 
 import argparse
 from typing import Any

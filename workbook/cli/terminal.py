@@ -47,7 +47,10 @@ def _wrapped_line(line: str, indent: str, columns: int) -> str:
 
 
 def say(text: str, stream: TextIO | None = None) -> None:
-    """Print sentences, wrapped to the terminal's width. Don't wrap them in a file or a pipe, unless COLUMNS is set."""
+    """Print sentences, wrapped to the terminal's width.
+
+    In a file or a pipe, don't wrap them unless COLUMNS is set.
+    """
     stream = stream or sys.stdout
     fits = stream.isatty() or "COLUMNS" in os.environ
     print(wrapped(text) if fits else text, file=stream, flush=True)

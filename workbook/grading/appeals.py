@@ -1,4 +1,4 @@
-"""Store marks that a person changed after an appeal next to results.jsonl, and apply them to all exports.
+"""After appeals, store the marks that a person changed in overrides.jsonl, and apply them to all exports.
 
 The imported file has these columns:
 
@@ -24,7 +24,7 @@ from workbook.recording.codec import decode, encode
 OVERRIDES = "overrides.jsonl"
 COLUMNS = ("student", "exercise", "criterion", "points", "reason", "who")
 TOTAL = "total"
-"""The criterion's name in a line that changes the whole score. It also works for an answer that couldn't be judged."""
+"""The criterion name for a change to the whole score. It also works for an answer that couldn't be judged."""
 FIX = "Correct the line and run the command again; nothing in this file was applied"
 
 
@@ -84,7 +84,7 @@ def _line(where: str, student: str, cells: Sequence[str]) -> OverrideLine:
 def fit(lines: Sequence[OverrideLine], results: Mapping[StudentAndExercise, Result]) -> list[Override]:
     """Match the lines with the results, and return the changes to make.
 
-    Raises BadOption for the first line that doesn't fit; then no change is made.
+    Raises BadOption for the first line that doesn't match. In that case, none of the lines is applied.
     """
     found: dict[tuple[str, str, str], Override] = {}
     for line in lines:
@@ -147,7 +147,7 @@ def _most(result: Result, criterion: str) -> float | None:
 
 
 def keep(out: Path, changes: Iterable[Override]) -> None:
-    """Append changes to the folder's file. For each criterion, only the last change counts."""
+    """Append changes to the file in the folder `out`. For each key (`Override.key`), only the last change counts."""
     with (out / OVERRIDES).open("a", encoding="utf-8") as file:
         for change in changes:
             file.write(json.dumps(encode(change), allow_nan=False, ensure_ascii=True) + "\n")
@@ -156,7 +156,7 @@ def keep(out: Path, changes: Iterable[Override]) -> None:
 
 
 def kept(out: Path) -> list[Override]:
-    """Return the folder's changes that are in force. Raises BadOption for an invalid line."""
+    """Return the stored changes, except those that were undone. Raises BadOption for an invalid line."""
     path = out / OVERRIDES
     found: dict[tuple[str, str, str], Override] = {}
     if not path.is_file():
@@ -176,7 +176,10 @@ def kept(out: Path) -> list[Override]:
 
 
 def with_changes(results: Iterable[Result], changes: Iterable[Override]) -> list[Result]:
-    """Apply each change that was made for the current answer and an existing criterion. Return the results."""
+    """Apply the changes, and return the new results.
+
+    A change is applied only if it was made for the current answer, and if its criterion still gives that many points.
+    """
     by_key: dict[StudentAndExercise, list[Override]] = {}
     for change in changes:
         by_key.setdefault((change.student, change.exercise), []).append(change)
@@ -210,7 +213,7 @@ def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterab
 def deductions(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
     """Return a sentence for each change that gives a student fewer points than the judge does.
 
-    After a criterion is corrected, a change that was once generous may take points away.
+    When a criterion is corrected later, a change that was generous before may take points away.
     """
     said = []
     for one in changes:

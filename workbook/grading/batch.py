@@ -27,14 +27,18 @@ from workbook.grading.skipped import about_skipped, find_skipped
 from workbook.grading.slots.pool import STOPPED_JUDGE
 
 UNREADABLE = "unreadable"
-"""Stands for the time if a timestamp.txt exists but can't be read."""
+"""Stored as the submission time if a timestamp.txt exists but can't be read."""
 WRITTEN = tuple((name,) for name in ("recordings", PAGES, "gradescope"))
-"""The folders that grading creates next to the results, as the first part of a path."""
+"""The folders that grading creates next to the results. Each is given as the first part of a path."""
 
 
 @dataclass(frozen=True)
 class BatchProgress:
-    """A batch's progress. `left_s` is None until the first answer is done."""
+    """A batch's progress.
+
+    `kept`: how many answers an earlier run had judged. `left_s`: the estimated time left, in seconds; None until an
+    answer was judged.
+    """
 
     done: int
     total: int
@@ -48,10 +52,11 @@ class BatchProgress:
 class BatchSummary:
     """The outcome of one run over a folder of answers.
 
-    `results`: the results of the answers below this run's paths. `everything`: all current results in the folder, by
-    student and exercise. This run judged `judged` answers in `seconds`; an earlier run judged the `kept` ones. `frozen`
-    of the kept answers were judged by other criteria than today's. `broken`: lines of results.jsonl that aren't
-    results. `remarks`: sentences on skipped files, unused aliases, and students without a hand-in.
+    `results`: the results of the answers under this run's paths. `everything`: all current results in the folder, keyed
+    by student and exercise. This run judged `judged` answers in `seconds`; earlier runs had judged the `kept` ones.
+    `frozen`: how many of the kept answers were judged with other criteria than today's. `broken`: lines of
+    results.jsonl that aren't results. `remarks`: sentences about skipped files, unused aliases, and students without a
+    hand-in.
     """
 
     results: tuple[Result, ...]
@@ -68,8 +73,8 @@ class BatchSummary:
 def _submitted_at(hand_in: HandIn) -> str | None:
     """Return the text of the outermost `timestamp.txt` above an answer, within the student's folder.
 
-    Inner ones are the student's own files. Return None if no file exists, and UNREADABLE if the outermost one can't be
-    read.
+    Files with that name further down are the student's own. Return None if no such file exists, and UNREADABLE if the
+    outermost one can't be read.
     """
     depth = max(1, len(Path(hand_in.label).parts) - 1)
     for folder in reversed([*hand_in.path.parents][:depth]):
@@ -99,8 +104,8 @@ def _file_sha(path: Path) -> str:
 class Batch:
     """Grades one exercise's hand-ins into the folder `out`. A run can be killed and started again at any time.
 
-    `retry_stopped`: also judge unchanged answers again if they stopped the judge in an earlier run. `seed`: seeds the
-    scripts of all answers; None draws a new seed for each try.
+    `retry_stopped`: whether to judge an unchanged answer again if it stopped the judge in an earlier run. `seed`: the
+    seed of the random values that the judge sends to answers; None draws a new seed for each try.
     """
 
     def __init__(
@@ -121,11 +126,11 @@ class Batch:
         self._roster = roster or Roster()
 
     def hand_ins(self, paths: Sequence[Path]) -> list[HandIn]:
-        """Return the hand-ins below `paths`, with the roster's names."""
+        """Return the hand-ins under `paths`, with the roster's names for the students."""
         return self._roster.hand_ins(self._found(paths))
 
     def check_paths(self, paths: Sequence[Path]) -> None:
-        """Raise BadOption if there's no hand-in below `paths`."""
+        """Raise BadOption if there's no hand-in under `paths`."""
         if not self._found(paths):
             places = ", ".join(map(str, paths))
             remarks = about_skipped(find_skipped(paths))
@@ -136,14 +141,14 @@ class Batch:
         return [one for one in found if not self._is_ours(one.path)]
 
     def _is_ours(self, path: Path) -> bool:
-        """Return whether grading itself wrote this file or folder, which may lie among the answers."""
+        """Return whether grading itself wrote this file or folder, because `out` may be among the answers."""
         path, out = path.resolve(), self._out.resolve()
         if path.is_dir() and (path == out or (path / RESULTS).is_file()):
             return True
         return path.is_relative_to(out) and path.relative_to(out).parts[:1] in WRITTEN
 
     def _remarks(self, paths: Sequence[Path], found: Sequence[HandIn]) -> tuple[str, ...]:
-        """Return sentences on skipped files and unused aliases."""
+        """Return sentences about skipped files and unused aliases."""
         return tuple(
             filter(None, (about_skipped(find_skipped(paths)), about_unused(self._roster.unused(found))))
         )
@@ -157,7 +162,7 @@ class Batch:
                 file.append(replace(result, submitted_at=moment))
 
     def _note(self, paths: Sequence[Path], hand_ins: Sequence[HandIn]) -> None:
-        """Store who has handed in. The list is complete only if all paths are folders."""
+        """Store which students have handed in an answer. The list is complete only if all paths are folders."""
         students = [one.student for one in hand_ins]
         note(self._out, self._exercise.stem, students, whole=all(path.is_dir() for path in paths))
 
@@ -167,7 +172,7 @@ class Batch:
         everything: Iterable[StudentAndExercise],
         mine: Container[StudentAndExercise],
     ) -> Iterator[str]:
-        """Yield a sentence on students with a result but no hand-in, if all `paths` are folders."""
+        """Yield a sentence about students with a result but no hand-in, if all `paths` are folders."""
         left = sorted(key[0] for key in everything if key[1] == self._exercise.stem and key not in mine)
         if left and all(path.is_dir() for path in paths):
             what = "1 earlier result has" if len(left) == 1 else f"{len(left)} earlier results have"
@@ -182,10 +187,11 @@ class Batch:
         progress: Callable[[BatchProgress], None] = lambda _: None,
         stop: Callable[[], bool] = lambda: False,
     ) -> BatchSummary:
-        """Grade everything below `paths` that is new or changed.
+        """Grade everything under `paths` that is new or changed.
 
-        Call `progress` after each answer, and `stop` before each new one. Raises FileNotFoundError for a path that
-        doesn't exist, and FolderInUse if another run writes to the same folder.
+        Call `progress` after each answer, and `stop` before each new one; end the run early if `stop` returns True.
+        Raises FileNotFoundError for a path that doesn't exist, and FolderInUse if another run writes to the same
+        folder.
         """
         found = self._found(paths)
         hand_ins = self._roster.hand_ins(found)
@@ -222,7 +228,7 @@ class Batch:
 
 
 class _BatchRun:
-    """One run of a batch: its finished and its remaining answers. Each result is written to `file` right away."""
+    """Tracks the finished and remaining answers of one run, and writes each result to `file` right away."""
 
     def __init__(
         self,

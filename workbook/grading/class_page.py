@@ -1,6 +1,6 @@
 """Render the class on one page: marks, common failures and causes, and a map with links to the students' pages.
 
-The page is one file. Its policy allows only one script, which sorts and filters the map.
+The page is one file. Its content security policy allows only one script, which sorts and filters the map.
 """
 
 import base64
@@ -86,7 +86,7 @@ def _script() -> str:
 
 @cache
 def _head() -> list[dict[str, Any]]:
-    """Return the shapes of the robot's head while it works."""
+    """Return the shapes that make up the robot's head in its operational state."""
     parts = json.loads(_FIGURE.read_text(encoding="utf-8"))["parts"]
     shown = (
         one for one in parts if "neck" in one["joints"] and "operational" in one.get("faces", ["operational"])
@@ -95,7 +95,7 @@ def _head() -> list[dict[str, Any]]:
 
 
 def _figures(rows: Sequence[Result], graded: Sequence[Result]) -> list[tuple[str, str]]:
-    """Return the class's key figures as pairs of label and value."""
+    """Return the class's key figures as (label, value) pairs."""
     figures = [("answer" if len(rows) == 1 else "answers", str(len(rows))), ("graded", str(len(graded)))]
     scores = sorted(row.score for row in graded if row.score is not None)
     if scores:
@@ -115,7 +115,7 @@ def _isolation(rows: Sequence[Result]) -> str:
 
 
 def _judged_by(rows: Sequence[Result]) -> str:
-    """Return which versions judged the answers. If there are several, add how many answers each one judged."""
+    """Return which versions judged the answers. If there are several, add how many answers each version judged."""
     versions = Counter(row.versions.told() for row in rows).most_common()
     if len(versions) < 2:
         return "".join(f"Judged by {one}." for one, _ in versions)
@@ -123,7 +123,10 @@ def _judged_by(rows: Sequence[Result]) -> str:
 
 
 def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, float]]:
-    """Return the histogram of points, rounded down: points, count, and share of the largest count."""
+    """Return the bars of the histogram as (points, count, height). Points are rounded down.
+
+    The height is the count divided by the largest count.
+    """
     bins = Counter(min(most, int(row.score)) for row in graded if row.score is not None)
     largest = max(bins.values(), default=1)
     return [(points, bins[points], bins[points] / largest) for points in range(most + 1)]
@@ -131,7 +134,10 @@ def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, f
 
 @dataclass(frozen=True)
 class _Column:
-    """A criterion on the map: its column, and how many answers lost it or weren't judged by it."""
+    """A criterion's column on the map.
+
+    `lost`: how many answers failed it, completely or in part. `skipped`: for how many it wasn't judged.
+    """
 
     column: int
     id: str
@@ -170,14 +176,17 @@ def _columns(graded: Sequence[Result]) -> list[_Column]:
 
 
 def _lines(row: Result, criteria: Sequence[_Column]) -> list[CriterionLine | None]:
-    """Return a student's results, column by column; None for criteria that weren't judged."""
+    """Return a student's results, one per column; None for each criterion that the result doesn't have."""
     found = {one.id: one for one in row.criteria}
     return [found.get(one.id) for one in criteria]
 
 
 @dataclass(frozen=True)
 class _Cause:
-    """A cause of lost criteria: its explanation in the feedback, and what the judge saw in these programs."""
+    """A cause of lost points: its explanation in the feedback, and what the judge saw in these programs.
+
+    `sights`: the most frequent observations, each with its count. `other_sights`: how many others there were.
+    """
 
     number: int
     column: int
@@ -193,7 +202,10 @@ class _Cause:
 
 
 def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Cause]:
-    """Return the causes, most frequent first. If likely reasons differ, the causes do, too (see `criteria.verdict`)."""
+    """Group the lost criteria by cause, and return the causes, most frequent first.
+
+    Two criteria have the same cause if they are the same criterion and have the same explanation, except for numbers.
+    """
     found: dict[tuple[str, str], list[tuple[str, CriterionLine]]] = defaultdict(list)
     for row in graded:
         for one in row.criteria:
@@ -221,7 +233,7 @@ def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Caus
 
 
 def _causes_of(causes: Sequence[_Cause]) -> Mapping[str, list[int]]:
-    """Return each student's causes by number."""
+    """Map each student to the numbers of that student's causes."""
     numbers: dict[str, list[int]] = defaultdict(list)
     for cause in causes:
         for student in cause.who:

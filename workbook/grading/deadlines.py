@@ -16,10 +16,9 @@ FORM = "2026-05-31T23:59, 2026-05-31T23:59+02:00, or 2026-05-31 for the end of t
 
 
 def zone_named(name: str | None) -> tzinfo | None:
-    """Return the time zone with this name. No name returns None, which stands for the machine's own zone.
+    """Return the time zone called `name`. If `name` is None, return None, which stands for the machine's own zone.
 
-    Raises:
-        BadOption: no zone has this name.
+    Raises: | BadOption: no zone has this name.
     """
     if name is None:
         return None
@@ -55,7 +54,7 @@ def in_words(moment: datetime) -> str:
 
 
 def same_name(student: str) -> str:
-    """Normalize a name, so that names that look alike are equal even if their accents are composed differently."""
+    """Normalize a name, so that names that look alike are equal, no matter how their accents are encoded."""
     return unicodedata.normalize("NFC", student.strip())
 
 
@@ -94,7 +93,10 @@ def read_extensions(path: Path, zone: tzinfo | None) -> dict[str, datetime]:
 
 
 def about_unknown(extensions: Collection[str], students: Collection[str]) -> str:
-    """Return a sentence on extensions for students without a hand-in, with similar names; empty if there are none."""
+    """Return a sentence about extensions for students without a hand-in, and suggest similar names.
+
+    Return "" if every student with an extension handed something in.
+    """
     known = {same_name(one) for one in students}
     told = []
     for name in sorted(set(extensions) - known):

@@ -96,7 +96,7 @@ def gradescope(result: Result) -> str:
 
 
 def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
-    """Return a CSV to import into Canvas. `assignment` is the exercise's column there, such as "Exercise 09 (12345)".
+    """Return a CSV to import into Canvas. `assignment`: the exercise's column in Canvas, such as "Exercise 09 (12345)".
 
     Canvas finds students by login. A result without a score leaves the cell empty, which Canvas ignores.
     """
@@ -111,7 +111,7 @@ def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
 
 
 def moodle(results: Iterable[Result], item: str) -> str:
-    """Return a CSV for Moodle's grade import. Map ID number to the students, and `item` to the grade.
+    """Return a CSV for Moodle's grade import. There, map "ID number" to the students, and `item` to the grade.
 
     Moodle shows feedback as HTML, so markup in it is escaped. Results without a score are left out, because an empty
     grade would delete an earlier one.
@@ -135,7 +135,7 @@ NBGRADER = (
 def nbgrader(results: Iterable[Result], assignment: str | None = None) -> str:
     """Return a CSV with the same columns as nbgrader's own export.
 
-    `assignment`: the exercise's name in nbgrader, if it's a different one.
+    `assignment`: the exercise's name in nbgrader, if it's different there.
     """
     rows: list[Sequence[object]] = [NBGRADER]
     for result in by_student(results):

@@ -1,8 +1,9 @@
 """Judge on a dask.distributed cluster: find the workers, hand out answers, and handle lost workers.
 
 The workers only start slots (`workbook.grading.farm_worker`). We choose the worker for each answer, and never hand out
-more answers than there are threads. So a worker that dies loses few answers, and we know which ones. We judge them
-again elsewhere. Each gets a worker to itself, so an answer that kills a worker harms no other answer.
+more answers than there are threads. So when a worker dies, we lose only a few answers, and we know which ones. We judge
+these again on other workers. Each then has a worker to itself, so an answer that kills its worker harms no other
+answer.
 """
 
 import json
@@ -27,13 +28,13 @@ from workbook.isolation.tiers import Isolation
 INTRODUCTION_S = 60.0
 PATIENCE_WITHOUT_WORKERS_S = 60.0
 TRIES = 3
-"""How often an answer is judged if its worker dies: once, and then twice more with a worker to itself."""
+"""How many times an answer is sent if no judgment comes back: once, and then twice more with a worker to itself."""
 _START_HERE = "Start it in the course's folder: .venv/bin/dask worker"
 
 
 @dataclass(eq=False)
 class _Machine:
-    """A worker, and its capacity in answers at the same time."""
+    """A worker of the farm. `places`: how many answers it can judge at the same time."""
 
     address: str
     places: int
@@ -54,7 +55,7 @@ class _Machine:
 
 @dataclass(eq=False)
 class _Task(Generic[Key]):
-    """A job, and how often it was lost with its worker."""
+    """A job. `losses`: how many times it was sent to a worker, but no judgment came back."""
 
     job: Job[Key]
     losses: int = 0
@@ -68,9 +69,10 @@ class _Sent(Generic[Key]):
 
 
 class Farm:
-    """Judges on every worker of the scheduler at `address` that has this course version. See `GradingBackend`.
+    """Runs judgments on every worker that has this course version and belongs to the scheduler at `address`.
 
-    `say` receives a sentence on each unused or lost machine. Use as a context manager. Raises NoJudges.
+    Implements `GradingBackend`. `say` is called with a sentence about each unused or lost machine. Use it as a context
+    manager. Raises NoJudges.
     """
 
     def __init__(self, address: str, isolation: Isolation, say: Callable[[str], None]) -> None:
@@ -98,7 +100,7 @@ class Farm:
 
     @property
     def machines(self) -> int:
-        """The number of workers that judge."""
+        """The number of workers that can judge."""
         return sum(machine.ready for machine in self._machines.values())
 
     @property
@@ -136,7 +138,7 @@ class Farm:
         raise NoJudges(f"no worker at {self._address} can judge: " + "; ".join(self._refusals))
 
     def _muster(self) -> list[_Machine]:
-        """Ask the scheduler for its workers, at most once a second, and new workers for their properties.
+        """Update the list of workers from the scheduler, at most once a second. Ask new workers for their properties.
 
         Return the workers that are gone. Raises NoJudges if the scheduler doesn't respond.
         """
@@ -190,7 +192,7 @@ class Farm:
         return future
 
     def _meet(self, key: str) -> bool:
-        """Handle a new worker's reply, if `key` belongs to one. Return whether it did."""
+        """Handle a reply if it's a new worker's first one, with its properties. Return whether it is."""
         if key not in self._questions:
             return False
         machine, question = self._questions.pop(key)
@@ -208,7 +210,7 @@ class Farm:
         return True
 
     def refuse(self, machine: _Machine, why: str) -> None:
-        """Stop using a worker for the rest of the run, and report why. If it's already refused, do nothing."""
+        """Stop using a worker for the rest of the run, and report why. Do nothing if the worker was already refused."""
         if machine.refused:
             return
         machine.ready, machine.refused = False, True
@@ -220,7 +222,10 @@ class Farm:
     def judge_all(
         self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """See `GradingBackend`. Raises NoJudges if the scheduler is lost, or no worker is left for a minute."""
+        """Judge many answers; see `GradingBackend`.
+
+        Raises NoJudges if the scheduler is lost, or if there has been no worker for a minute.
+        """
         distribution = _Distribution(self, jobs, soak)
         try:
             while True:
@@ -246,7 +251,7 @@ class Farm:
         return [machine for machine in self._machines.values() if machine.ready]
 
     def send(self, job: Job[Key], soak: bool, machine: "_Machine") -> Any:
-        """Send an answer to a worker. Return the future of its reply."""
+        """Send an answer to a worker. Return a future for the reply."""
         return self._submit(machine, farm_worker.judge, self._order(job, soak, machine))
 
     def _order(self, job: Job[Key], soak: bool, machine: _Machine) -> str:
@@ -282,9 +287,9 @@ class Farm:
 
 
 class _Distribution(Generic[Key]):
-    """Tracks which answers are waiting, which are under way on which worker, and which must be judged again alone.
+    """Tracks which answers are waiting, which are on which worker, and which must be judged again alone.
 
-    An answer is settled when its judgment has arrived or it was lost too often.
+    An answer is settled when its judgment has arrived, or when it was lost too often.
     """
 
     def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], soak: bool) -> None:
@@ -304,7 +309,7 @@ class _Distribution(Generic[Key]):
         return bool(self._waiting or self._suspects)
 
     def hand_out(self) -> None:
-        """Fill the free places. A suspect (an answer whose worker died) gets a worker to itself."""
+        """Fill the free places. A suspect, which is an answer that was lost before, gets a worker to itself."""
         ready = self._farm.ready_machines()
         while self._waiting and ready:
             machine = max(ready, key=lambda one: one.free)
@@ -316,14 +321,17 @@ class _Distribution(Generic[Key]):
                 self._send(self._suspects.popleft(), machine)
 
     def give_up_on(self, machine: _Machine) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Take back a lost machine's answers. Yield the ones that are now settled."""
+        """Take back a lost worker's answers. Yield the answers that were lost too often to be judged again."""
         self._farm.announce_loss(machine)
         for key in list(machine.under_way):
             self._sent[key].future.cancel()
             yield from self._lost(self._take_back(key), f"{machine} went away")
 
     def settle(self, key: str) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Handle a reply. Yield the answer that it settles; yield nothing if the answer will be judged again."""
+        """Handle a worker's reply to an answer. Yield the answer with its judgment if it's now settled.
+
+        Yield nothing if the answer will be judged again.
+        """
         if key not in self._sent:
             return
         machine, future = self._sent[key].machine, self._sent[key].future
@@ -346,7 +354,7 @@ class _Distribution(Generic[Key]):
             yield from self._lost(task, f"{why} (on {machine})")
 
     def cancel(self) -> None:
-        """Cancel all answers that are under way."""
+        """Cancel all answers that were sent to workers."""
         for one in self._sent.values():
             one.machine.under_way.clear()
             one.machine.alone = False
@@ -383,9 +391,9 @@ def _judged_criteria(stem: str) -> dict[str, float]:
 
 
 def _checked(data: object, job: Job[Key]) -> Judgement:
-    """Decode the judgment of this answer.
+    """Decode the judgment of this job's answer.
 
-    Raises ValueError if it's damaged, belongs to another answer, or used other criteria.
+    Raises ValueError if the data is damaged, belongs to another answer, or was made with other criteria.
     """
     judgement = judgement_from_afar(data, job.stem, job.answer.sha256)
     if judgement.status == "graded":

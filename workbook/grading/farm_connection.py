@@ -14,7 +14,7 @@ CONNECT_S = 10.0
 FETCH_S = 30.0
 LOOK_EVERY_S = 1.0
 LARGEST_REPLY = 300_000_000
-"""In characters. A recording may contain thousands of messages."""
+"""The most characters in a reply. Its recording may contain thousands of messages."""
 _ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9A-Fa-f:.]+\]|[\w.-]+):\d{1,5}")
 
 
@@ -25,7 +25,7 @@ def check_address(address: str) -> None:
 
 
 def connect(address: str) -> Any:
-    """Connect to the scheduler, and return the client. Raises NoJudges."""
+    """Connect to the scheduler, and return the client. Raises NoJudges if that fails."""
     try:
         from distributed import Client, Security
     except ImportError as error:
@@ -60,17 +60,20 @@ def connect(address: str) -> Any:
 
 
 def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
-    """Ignore an event loop's canceled waits for lost replies; handle all other exceptions as usual.
+    """Ignore the exceptions from an event loop's canceled waits for lost replies; handle all others as usual.
 
-    If a worker is lost while we fetch its reply, distributed waits for the reply again. We give up and cancel the
-    reply. That wait then ends with AllExit, which none of our code receives.
+    If a worker is lost while we're fetching its reply, the `distributed` library waits for the reply again. We give up
+    and cancel the reply. That wait then fails with AllExit, which none of our code catches.
     """
     if type(context.get("exception")).__name__ != "AllExit":
         loop.default_exception_handler(context)
 
 
 def _fetch(future: Any) -> object:
-    """Fetch the reply of a finished task. Raises RuntimeError as soon as its worker is known to be lost."""
+    """Fetch the reply of a finished task.
+
+    Raises RuntimeError if the worker is known to be lost, or if fetching takes longer than FETCH_S seconds.
+    """
 
     async def fetched() -> object:
         return await future.client.gather(future, asynchronous=True)
@@ -98,7 +101,7 @@ def text_of(future: Any) -> str:
 
 
 def reply_in(text: str) -> dict[str, Any]:
-    """Parse a reply, which must have one of the known keys. Raises ValueError otherwise."""
+    """Parse a reply. Raises ValueError if the reply has none of the known keys."""
     reply = json.loads(text, parse_constant=no_constant)
     if not isinstance(reply, dict) or not reply.keys() & {"judgement", "refused", "fault", "elsewhere"}:
         raise ValueError("the reply is damaged")
@@ -106,6 +109,6 @@ def reply_in(text: str) -> dict[str, Any]:
 
 
 def in_words(error: BaseException) -> str:
-    """Return an error's first line, or its type's name, for people to read."""
+    """Return the first line of an error's message, or the error's type if the message is empty."""
     first = "".join(one for one in str(error).strip().split("\n")[0][:200] if one.isprintable())
     return first or type(error).__name__

@@ -1,7 +1,7 @@
-"""Run inside a worker of the farm: start slots, hand answers to them, and keep them warm in between.
+"""Judge answers inside a farm's worker: start slots, give them answers, and keep them warm in between.
 
-No answer runs in this process. It receives an order and returns a reply, both as JSON text. Dask pickles only that
-text, so data from an answer is never unpickled as objects.
+The worker process itself runs no answer. It receives an order and returns a reply, both as JSON text. Dask pickles only
+that text, so data from an answer is never unpickled as objects.
 """
 
 import hashlib
@@ -26,17 +26,17 @@ from workbook.recording.codec import decode, encode
 from workbook.ros.scratch import scratch_folder
 
 IDLE_S = 60.0
-"""How long (s) an idle slot waits for the next answer before it's ended. Each slot uses about 100 MB of memory."""
+"""How long an idle slot is kept for the next answer, in seconds. Each slot uses about 100 MB of memory."""
 PROCESS = secrets.token_hex(8)
-"""Identifies this process. It doesn't follow orders for another process, even one that had the same address."""
+"""Identifies this process, so that it rejects orders for an earlier process at the same address."""
 
 
 @dataclass(frozen=True)
 class FarmJob:
     """One answer to judge, as sent to a worker.
 
-    `course`: hash of the sender's course version, which the worker must have, too. `own_criteria`: the text of an
-    instructor's own criteria. `process`: the worker process that the job is meant for.
+    `course`: the hash of the sender's course version; the worker must have the same version. `own_criteria`: the text
+    of an instructor's own criteria. `process`: the worker process that the job is meant for.
     """
 
     exercise: str
@@ -77,7 +77,7 @@ _COURSE_LOADED = _course_now()
 
 
 def course_problem(wanted: str) -> str | None:
-    """Return why this worker can't judge with the course version whose hash is `wanted`.
+    """Return the reason that this worker can't judge with the course version whose hash is `wanted`.
 
     Return None if it can.
     """
@@ -97,7 +97,10 @@ def course_problem(wanted: str) -> str | None:
 
 
 def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str:
-    """Return the worker's properties as JSON. `problem` says why it can't judge as requested; null if it can."""
+    """Return the worker's properties as JSON.
+
+    `problem` is the reason that the worker can't judge with these settings, or null if it can.
+    """
     problem = course_problem(course)
     if problem is None and (rclpy_version(), python_version()) != (rclpy, python):
         problem = (
@@ -112,11 +115,10 @@ def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str
 
 
 def judge(text: str) -> str:
-    """Judge the answer of a `FarmJob`, given as JSON. Return the reply as JSON.
+    """Judge the answer in a `FarmJob`, given as JSON. Return the reply as JSON.
 
-    The reply has one key. The key `judgement` contains the result. The key `refused` says why this worker can judge no
-    more answers. The key `fault` says why it couldn't judge this answer. The key `elsewhere` means that the job was
-    meant for another process.
+    The reply has one of these keys. `judgement`: the result. `refused`: the reason that this worker can judge no more
+    answers. `fault`: the reason that it couldn't judge this answer. `elsewhere`: the job was meant for another process.
     """
     try:
         return json.dumps(_judge(decode(FarmJob, json.loads(text))), allow_nan=False)
@@ -146,7 +148,7 @@ _criteria: Path | None = None
 
 
 def _folder_of(stem: str, text: str | None) -> Path | None:
-    """Return a folder with the order's own criteria; None if the order has none."""
+    """Return a folder that contains `text`, the job's own criteria; None if the job has none."""
     global _criteria
     if text is None:
         return None

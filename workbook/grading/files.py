@@ -8,10 +8,9 @@ from pathlib import Path
 def write_whole(path: Path, text: str, *, bom: bool = False) -> Path:
     """Write a text file atomically: readers see the old version until the new one is complete. Return the path.
 
-    `bom`: begin with a byte order mark. Without it, Excel shows each accented letter as two characters.
+    `bom`: whether to begin with a byte order mark. Without it, Excel shows each accented letter as two characters.
 
-    Raises:
-        OSError: the file cannot be written; the error names it, also when the disk is full.
+    Raises: | OSError: the file cannot be written. The error names the file, even if the disk is full.
     """
     partial = path.with_name(f".{path.name}.part")
     with naming(path):

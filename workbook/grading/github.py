@@ -39,7 +39,7 @@ class Pushed:
 def grade_pushed(
     exercises: Sequence[Exercise], folder: Path, out: Path, isolation: Isolation
 ) -> tuple[Pushed, ...]:
-    """Judge the answers in a student's folder, exercise by exercise. Store recordings below `out`."""
+    """Judge the answers in a student's folder, exercise by exercise. Store recordings under `out`."""
     found = []
     for exercise in exercises:
         hand_in = hand_in_named(WHOSE, folder, exercise.stem)
@@ -55,7 +55,7 @@ def grade_pushed(
 
 
 def runners(exercise: Exercise) -> dict[str, Criterion]:
-    """Return the criteria that carry points, keyed by runner name. Names have only letters and digits."""
+    """Return the criteria that carry points, keyed by runner name. Names contain only letters and digits."""
     worth = [criterion for criterion in exercise.criteria if criterion.points > 0]
     return {f"e{exercise.stem[:2]}c{number}": criterion for number, criterion in enumerate(worth, start=1)}
 
@@ -74,12 +74,12 @@ def classroom(pushed: Pushed) -> dict[str, dict[str, Any]]:
 
 
 def not_run(criterion: Criterion) -> dict[str, Any]:
-    """Return Classroom's JSON for a criterion if the judge itself didn't finish."""
+    """Return Classroom's JSON for a criterion that has no result because the judge didn't finish."""
     return _one(criterion, "error", 0.0, "The judge did not finish. This is not the program's fault.")
 
 
 def encoded(result: Mapping[str, Any]) -> str:
-    """Encode a result for the variable that Classroom's reporter reads."""
+    """Encode a result as base64 for the variable that Classroom's reporter reads."""
     return base64.b64encode(json.dumps(result, ensure_ascii=True, allow_nan=False).encode()).decode()
 
 
@@ -129,7 +129,7 @@ def _points(one: Pushed) -> str:
 
 
 def all_hold(pushed: Sequence[Pushed]) -> bool:
-    """Return whether something was handed in, and each answer passed all criteria that aren't hidden."""
+    """Return whether something was handed in, and whether each answer passed all criteria that aren't hidden."""
     return any(one.result is not None for one in pushed) and all(
         one.result is None
         or (

@@ -39,9 +39,9 @@ def write_gradebook(
     results: Mapping[StudentAndExercise, Result],
     options: GradebookOptions | None = None,
 ) -> list[Path]:
-    """Write grades.csv and the requested exports below `out`. Return the files and folders written.
+    """Write grades.csv and the requested exports under `out`. Return the files and folders written.
 
-    All of them include the marks that a person changed (see `appeals`). Raises BadOption if those can't be read.
+    All of them include the marks that a person changed (see `appeals`). Raises BadOption if the changes can't be read.
     """
     options = options or GradebookOptions()
     changed = with_changes(with_a_hand_in(out, results.values()), kept(out))

@@ -13,11 +13,11 @@ from workbook.recording.plain_text import without_commands
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 _MARK = re.compile(r"\[[0-9a-f]{12}\]$")
 _FORMULA_STARTS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
-"""Includes the full-width forms, because spreadsheets with East Asian input treat them like the others."""
+"""The characters that begin a formula, including full-width forms, which count with East Asian input."""
 
 
 def safe_cell(value: object) -> str:
-    """Return text that no spreadsheet interprets as a formula: a leading = + - @ gets an apostrophe in front.
+    """Return text that no spreadsheet interprets as a formula. A leading = + - @ gets an apostrophe in front.
 
     Control characters become spaces, and invisible characters are removed.
     """
@@ -30,9 +30,10 @@ def safe_cell(value: object) -> str:
 
 
 def student_cell(student: str) -> str:
-    """Return text for a student's name that's unique to this name.
+    """Return a table cell for a student's name. Different names never get the same cell.
 
-    Most names stay unchanged. A name that tables can't hold unchanged, or that importers trim, gets its own mark.
+    Most names stay unchanged. A unique mark is added to a name that tables can't hold unchanged, or that importers
+    trim.
     """
     cell = safe_cell(student)
     tame = cell == student and student.isprintable() and "  " not in student and not student.startswith("'")
@@ -45,15 +46,15 @@ def _marked(student: str) -> str:
 
 
 def cells_of(student: str) -> set[str]:
-    """Return all texts that may stand for a student in a table (see `logins`)."""
+    """Return all strings that may identify a student in a table (see `logins`)."""
     return {student_cell(student), _marked(student)}
 
 
 def logins(students: Iterable[str]) -> dict[str, str]:
-    """Return the students' cells for an importer that finds them by login and may ignore case and accents.
+    """Map each student to a cell for importers that find students by login.
 
-    If the importer might treat several names as one login, each name gets a mark. Then it finds no student, which is
-    better than the wrong one.
+    Importers may ignore case and different encodings of the same character. If an importer might treat several names as
+    one login, each of them gets a mark. Then it finds no student, which is better than the wrong one.
     """
     by_login: dict[str, set[str]] = {}
     for student in students:
@@ -67,9 +68,9 @@ def logins(students: Iterable[str]) -> dict[str, str]:
 
 
 def grades_csv(results: Iterable[Result]) -> str:
-    """Return the CSV: one row per student and exercise, and a column of points per criterion.
+    """Return grades.csv as text: one row per student and exercise, with a column for each criterion's points.
 
-    An answer without a score has an empty cell, never a zero.
+    If an answer has no score, the cell is empty, never a zero.
     """
     rows = sorted(results, key=lambda result: (result.exercise, result.student))
     criteria: list[str] = []

@@ -24,7 +24,7 @@ def results_json(result: Result) -> str:
     """Return results.json for Gradescope, which requires a score at the top level or in a test.
 
     An answer that can't be judged (no file, two files, an empty one) fails one test. That test gives the reason, so the
-    student can submit again. After an error of ours, there's no score at all, so Gradescope takes no points away.
+    student can submit again. After an error in the judge, there's no score at all, so Gradescope takes no points away.
     """
     data: dict[str, Any] = json.loads(gradescope(result))
     if result.status == "infra_error":

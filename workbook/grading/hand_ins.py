@@ -14,13 +14,13 @@ ARCHIVE_SUFFIXES = (".zip", ".gz", ".tgz", ".tar", ".bz2", ".xz", ".zst", ".7z",
 SHADOWS = frozenset(
     {"conftest", "sitecustomize", "usercustomize", "setup", "rclpy", "std_msgs", "geometry_msgs"}
 )
-"""Names of files that aren't answers, and that a program would import instead of the module with that name."""
+"""Names that an answer's file can't have: a program would import that file instead of the module with that name."""
 _ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
 SKIPPED_FOLDERS = frozenset(
     {"__pycache__", ".ipynb_checkpoints", "__MACOSX", "venv", "env", "site-packages", "node_modules"}
 )
 DEEPEST = 100
-"""Limits how deeply folders may be nested. Archives and disks nest a few; a path could nest thousands."""
+"""The most levels of nested folders to search. Real hand-ins have a few levels, but a path could have thousands."""
 _LOOKS_LIKE_ONE = re.compile(r"\.(py\w?|ipynb)(?![^\W\d_])", re.IGNORECASE)
 _BESIDE_OTHERS = "._"
 """The prefix of the metadata files that macOS puts next to other files."""
@@ -28,7 +28,10 @@ _BESIDE_OTHERS = "._"
 
 @dataclass(frozen=True)
 class HandIn:
-    """One student's answer. `label` is its path as shown in results. `problem` is set if it can't be judged."""
+    """One student's answer.
+
+    `label`: the answer's path as shown in results. `problem`: the reason that the answer can't be judged, or None.
+    """
 
     student: str
     path: Path
@@ -41,7 +44,7 @@ def _is_answer(path: Path) -> bool:
 
 
 def why_no_answer(name: str) -> str | None:
-    """Return why a file isn't an answer although its name looks like one.
+    """Return the reason that a file isn't an answer, although its name looks like an answer's.
 
     Return None for an answer, and for all other files.
     """
@@ -62,9 +65,9 @@ def why_no_answer(name: str) -> str | None:
 
 
 def walk(top: Path) -> Iterator[tuple[str, list[str], list[str]]]:
-    """Walk a folder from the top down, like `os.walk`, but without failing on untrusted folders of any depth.
+    """Walk a folder from the top down, like `os.walk`, but safely even if the folder is untrusted.
 
-    The walk goes down at most `DEEPEST` folders. It skips unreadable folders, and follows no links.
+    The walk goes down at most `DEEPEST` levels. It skips unreadable folders, and doesn't follow links.
     """
     waiting = [(str(top), 0)]
     while waiting:
@@ -110,16 +113,17 @@ def _named_after(name: str, stem: str) -> bool:
 
 
 def hand_in_below(student: str, folder: Path, stem: str) -> HandIn:
-    """Return the one answer to `stem` anywhere below `folder`, which contains everything that `student` handed in."""
+    """Return the one answer to the exercise `stem` under `folder`, which contains all of the student's hand-ins."""
     if not folder.is_dir():
         return HandIn(student, folder, folder.name, "nothing was handed in")
     return _choose(student, folder, folder, stem)
 
 
 def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
-    """Return the answer to `stem` in a folder with several exercises' answers; None if no file is named after it.
+    """Return the answer to the exercise `stem` from a folder with several exercises' answers.
 
-    Answers may lie next to other files. If there's a folder `answers`, only that folder is searched.
+    Return None if no file is named after that exercise. The folder may also contain other files. If there's an
+    `answers` folder, only that folder is searched.
     """
     place = folder / "answers"
     if place.is_symlink():  # the link may lead to the solutions
@@ -157,7 +161,7 @@ def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
 
 
 def _why_nothing(folder: Path) -> str:
-    """Describe why a folder has no answer."""
+    """Return the reason that a folder has no answer."""
     shadows = sorted({path.name for path in _files_below(folder)})
     if shadows:
         return f"the folder holds only {', '.join(shadows)}: an answer needs a name that no ROS or Python module has"
@@ -173,7 +177,11 @@ def _why_nothing(folder: Path) -> str:
 
 
 def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: str | None) -> HandIn:
-    """Return the answer in a student's folder. If the folder has one for the assignment, look only there."""
+    """Return the answer in a student's folder.
+
+    If `assignment` is set, search only the subfolder of that name. Otherwise, search the subfolder that's named after
+    the exercise, or the whole folder if there isn't exactly one.
+    """
     if assignment is not None:
         part = folder / assignment
         if part.is_symlink() or not part.is_dir():
@@ -193,17 +201,17 @@ def hand_in_root(path: Path) -> Path:
 
 
 def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """Return the answers to `stem` below `paths`, sorted, one per student; see `all_hand_ins`."""
+    """Return the answers to the exercise `stem` under `paths`, sorted, one per student; see `all_hand_ins`."""
     return one_for_each(all_hand_ins(paths, stem, assignment))
 
 
 def all_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """Return all answers to `stem` below `paths`. Students are named after their files and folders.
+    """Return all answers to the exercise `stem` under `paths`, including several by the same student.
 
-    A student may have several. A folder may contain files (`s1042.py` names the student), a folder per student with the
-    answer anywhere below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. `assignment` is the exercise's name in
-    nbgrader; if it's set, only that folder of each student is searched. Raises FileNotFoundError for a path that
-    doesn't exist.
+    Each student is identified by the name of a file or folder. A folder may contain files, such as `s1042.py`, or one
+    folder per student with the answer anywhere in it. nbgrader's `submitted/STUDENT/ASSIGNMENT/` works, too.
+    `assignment` is the exercise's name in nbgrader; if it's set, only the folder of that name is searched for each
+    student. Raises FileNotFoundError for a path that doesn't exist.
     """
     found: list[HandIn] = []
     for path in paths:
@@ -244,12 +252,12 @@ def _as_text(raw: HandIn) -> HandIn:
 
 
 def one_spelling(name: str) -> str:
-    """Return a name with composed accents (NFC), as most systems store them. macOS stores accents separately."""
+    """Return a name with composed accents (NFC), as most systems store it. macOS stores accents separately."""
     return unicodedata.normalize("NFC", name)
 
 
 def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
-    """Return one hand-in per student. If a student has several, refuse them all, because guessing would be unfair."""
+    """Return one hand-in per student. If a student has several, reject them all, because guessing would be unfair."""
     by_student: dict[str, list[HandIn]] = {}
     for hand_in in found:
         by_student.setdefault(hand_in.student, []).append(hand_in)
@@ -266,7 +274,7 @@ def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
 
 
 def infer_exercise(paths: Sequence[Path], stems: Sequence[str]) -> list[str]:
-    """Return the exercises that the files below `paths` answer, judging by file names and `%%answer` lines."""
+    """Return the exercises that the files under `paths` answer, judging by file names and `%%answer` lines."""
     files: list[Path] = []
     for path in paths:
         files += _files_below(path) if path.is_dir() else [path]

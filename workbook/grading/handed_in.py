@@ -15,8 +15,8 @@ HEADER = ["student", "exercise"]
 def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) -> None:
     """Store which students have handed in an answer for `exercise`.
 
-    `whole`: the list is complete. Otherwise, the students are added to the list of earlier runs; without an earlier
-    list, nothing is stored.
+    `whole`: whether the list is complete. If it isn't, the students are added to the list of earlier runs; if there's
+    no earlier list, nothing is stored.
     """
     before = _read(out)
     if not whole and all(listed != exercise for _, listed in before):
@@ -29,7 +29,10 @@ def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) ->
 
 
 def with_a_hand_in(out: Path, results: Iterable[Result]) -> list[Result]:
-    """Leave out results without a hand-in. Keep all results if there's no list, or their exercise isn't in it."""
+    """Return the results without the students whose hand-in is gone.
+
+    Keep an exercise's results if there's no list of its hand-ins.
+    """
     pairs = _read(out)
     listed = {exercise for _, exercise in pairs}
     return [one for one in results if one.exercise not in listed or one.key in pairs]

@@ -13,7 +13,7 @@ Key = TypeVar("Key")
 
 @dataclass(frozen=True)
 class Job(Generic[Key]):
-    """One answer to judge. `key` is returned with the judgment. `seed`: see `Judge.judge`."""
+    """One answer to judge. `key` identifies the answer when its judgment is returned. `seed`: see `Judge.judge`."""
 
     key: Key
     stem: str
@@ -37,6 +37,6 @@ class GradingBackend(Protocol):
     ) -> Iterator[tuple[Job[Key], Judgement]]:
         """Judge many answers. Yield each job once, with its judgment, as soon as it's ready.
 
-        `stop` is called before each new answer. Once it returns True, the run ends after the answers that are under
-        way. Raises NoJudges.
+        `stop` is called before each new answer. Once it returns True, the run ends as soon as the judgments in progress
+        are finished. Raises NoJudges.
         """

@@ -1,4 +1,4 @@
-"""Late penalties. results.jsonl stores the points as earned; only the exports made from it subtract the penalty."""
+"""Compute late penalties. results.jsonl stores the points as earned; only the exports subtract the penalty."""
 
 import math
 import re
@@ -16,9 +16,9 @@ _SAYS_UTC = re.compile(r" ?(UTC|GMT)$")
 
 @dataclass(frozen=True)
 class Lateness:
-    """Subtract `share` of the maximum for each day, complete or not, after `deadline`.
+    """A late penalty: `share` of the maximum for each day after `deadline`, complete or not.
 
-    `extensions`: later deadlines for individual students, by the names that `same_name` returns.
+    `extensions`: later deadlines for individual students, keyed by their names as `same_name` returns them.
     """
 
     deadline: datetime
@@ -44,7 +44,7 @@ class Lateness:
 
 
 def parse_moment(text: str | None) -> datetime | None:
-    """Parse an ISO 8601 time; None if it's invalid. Without a zone, it's in UTC, as in nbgrader."""
+    """Parse an ISO 8601 time; return None if it's invalid. A time without a zone is in UTC, as in nbgrader."""
     try:
         moment = datetime.fromisoformat(_SAYS_UTC.sub("+00:00", (text or "").strip()))
     except ValueError:

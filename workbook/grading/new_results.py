@@ -16,14 +16,14 @@ from workbook.exercise.retries import what_counts
 from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
 
 LOG_LENGTH = 8_000
-"""The most characters of a program's log that a result contains. The recording contains the whole log."""
+"""The most characters of a program's log that a result contains. The recording contains the complete log."""
 
 
 @dataclass(frozen=True)
 class Submission:
     """One student's hand-in, as results describe it. `answer_sha256` is empty if the file couldn't be read.
 
-    `note`: a sentence on other code in the notebook that the student may have meant to hand in.
+    `note`: a sentence about other code in the notebook that the student may have meant to hand in.
     """
 
     student: str
@@ -36,7 +36,7 @@ class Submission:
 
 @dataclass(frozen=True)
 class GradedBy:
-    """The data that all results of a run share. `out`: the folder below which recordings are stored."""
+    """The data that all results of a run have in common. `out`: the folder under which recordings are stored."""
 
     exercise: Exercise
     isolation: str

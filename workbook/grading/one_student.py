@@ -36,7 +36,7 @@ TABLES = {
     "moodle.csv": "ID number",
     "nbgrader.csv": "student_id",
 }
-"""The tables of a gradebook, each with the column that names the student."""
+"""The tables of a gradebook, each with the name of the column that identifies the student."""
 
 
 class NotErasable(ValueError):
@@ -55,7 +55,7 @@ class Lines:
 
 @dataclass(frozen=True)
 class Holdings:
-    """The data stored about a student, under all `names` that look alike.
+    """The data that a gradebook stores about a student, under all `names` that look alike.
 
     `results`: one per attempt. `lines`: from results.jsonl, overrides.jsonl, the tables, and the instructor's own
     lists. `files`: pages and recordings that belong only to this student. `shared`: recordings that other students'
@@ -78,9 +78,10 @@ class Holdings:
 
 @contextmanager
 def holdings(out: Path, student: str, lists: Sequence[Path] = ()) -> Iterator[Holdings]:
-    """Find everything about a student in the gradebook `out`, and lock it against other runs until the block ends.
+    """Find everything about a student in the gradebook `out`. Lock the gradebook until the `with` block ends.
 
-    `lists`: CSV files of the instructor that name students, such as aliases. Raises NotErasable, FolderInUse.
+    `lists`: the instructor's CSV files that name students, such as aliases. Raises NotErasable, and FolderInUse if
+    another run uses the gradebook.
     """
     path = out / RESULTS
     if not path.is_file():
@@ -156,7 +157,10 @@ def _change_of(line: str) -> Override:
 
 
 def _names_of(student: str, known: Sequence[str]) -> tuple[str, ...]:
-    """Return all known names that look like this name, or are written like it in tables. Raises NotErasable."""
+    """Return all known names that look like `student`, or that tables show that way.
+
+    Raises NotErasable if there are none.
+    """
     names = [one for one in known if _alike(one) == _alike(student) or student.strip() == student_cell(one)]
     if names:
         return tuple(names)
@@ -171,7 +175,7 @@ def _cells(names: Sequence[str]) -> set[str]:
 
 
 def _recordings(out: Path, results: Sequence[Result]) -> set[Path]:
-    """Return these results' recordings, except paths outside the folder, which we didn't write."""
+    """Return these results' recordings, except paths outside the folder, because we didn't write those."""
     folder = (out / "recordings").resolve()
     names = {name for one in results for name in (one.recording, *(a.recording for a in one.tries)) if name}
     return {out / name for name in names if (out / name).resolve().parent == folder}
@@ -237,9 +241,9 @@ def export(found: Holdings, archive: Path) -> Path:
 
 
 def erase(found: Holdings, load: Callable[[str], Exercise] = load_exercise) -> list[str]:
-    """Erase everything about the student, and rebuild the class page. Return sentences on problems.
+    """Erase everything about the student, and rebuild the class page. Return sentences about problems.
 
-    The results are erased last, so an interrupted run can be repeated and still finds the rest.
+    The results are erased last. So if the run is interrupted, another run still finds the rest.
     """
     said = _rebuild_class_page(found, load)
     for path in found.files:
@@ -259,7 +263,7 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _rebuild_class_page(found: Holdings, load: Callable[[str], Exercise]) -> list[str]:
-    """Rewrite the class page without this student. The other students keep their scores from the tables."""
+    """Rewrite the class page without this student. The other students' scores come from grades.csv."""
     path = found.out / PAGES / CLASS
     if not path.is_file():
         return []

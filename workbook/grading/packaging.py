@@ -29,7 +29,10 @@ class CannotPackage(RuntimeError):
 
 
 def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
-    """Write one exercise's autograder; equal courses give equal bytes. Return the names of the files in it."""
+    """Write one exercise's autograder as a zip file. Return the names of the files in it.
+
+    The same course always gives the same bytes.
+    """
     entries: dict[str, tuple[bytes, bool]] = {
         "setup.sh": ((GRADESCOPE_FILES / "setup.sh").read_bytes(), True),
         "run_autograder": (
@@ -80,7 +83,7 @@ def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes
 
 
 def files_below(course: Path, folder: str) -> Iterator[tuple[str, bytes]]:
-    """Yield the files in a folder of the course, with their names. Skip files that tools and editors leave behind."""
+    """Yield the files in a folder of the course, with their names. Skip files that tools and editors leave there."""
     for path in sorted((course / folder).rglob("*")):
         parts = path.relative_to(course / folder).parts
         left_by_tools = any(part.startswith(".") or part == "__pycache__" for part in parts)
@@ -114,7 +117,7 @@ def classroom_workflow(
 
 
 def _reporter(exercises: Sequence[Exercise]) -> str:
-    """Return the step that reports to Classroom. If the judge left no output, the step reports a fallback."""
+    """Return the step that reports to Classroom. If the judge wrote no output, this step reports a fallback."""
     names, lines = [], []
     for exercise in exercises:
         for name, criterion in runners(exercise).items():
@@ -133,9 +136,9 @@ def _reporter(exercises: Sequence[Exercise]) -> str:
 
 
 def origin_of(course: Path) -> str:
-    """Return the address from which the course was cloned, converted so that it needs no key.
+    """Return the HTTPS address of the course's Git repository. An SSH address is converted, because it needs a key.
 
-    Raises CannotPackage if git doesn't know the address, or others can't fetch from it.
+    Raises CannotPackage if git doesn't know the address, or if others can't fetch from it.
     """
     advice = "Say where the course can be found: --course https://..."
     origin = _git(course, "remote", "get-url", "origin", otherwise=advice)

@@ -19,7 +19,7 @@ from workbook.templating import as_markup, render
 PAGES = "pages"
 CLASS = "class.html"
 TEXT_COLORS = {"light": variables(ON_LIGHT), "dark": variables(ON_DARK)}
-"""CSS declarations for a page, by theme."""
+"""The CSS declarations of a page's text colors, keyed by theme."""
 
 
 def page_name(student: str, exercise: str) -> str:
@@ -31,7 +31,7 @@ def page_name(student: str, exercise: str) -> str:
 
 
 def judgement_of(result: Result, out: Path) -> Judgement:
-    """Rebuild the judgment from a result, with its stored recording if it can be read."""
+    """Rebuild the judgment from a result, including its stored recording if that can be read."""
     recording = None
     if result.recording is not None:
         try:

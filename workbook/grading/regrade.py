@@ -28,9 +28,10 @@ class CriterionChange:
 
 @dataclass(frozen=True)
 class Regraded:
-    """The effect of judging one student's result again. `problem`: why that wasn't possible.
+    """The effect of judging one student's result again.
 
-    `criteria`: the criteria whose points changed, and those that were added or removed.
+    `problem`: why it couldn't be judged again; empty if it could. `criteria`: the criteria whose points changed, and
+    those that were added or removed.
     """
 
     student: str
@@ -48,7 +49,7 @@ class Regraded:
 def criterion_changes(
     before: tuple[CriterionLine, ...], after: tuple[CriterionLine, ...]
 ) -> tuple[CriterionChange, ...]:
-    """Return the criteria whose points differ, in their new order. A missing criterion counts as 0 points."""
+    """Return the criteria whose points differ, in the order of `after`. A missing criterion counts as 0 points."""
     old, new = _points(before), _points(after)
     return tuple(
         CriterionChange(name, old.get(name), new.get(name))
@@ -68,8 +69,8 @@ class CannotRegrade(RuntimeError):
 def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
     """Judge every student's stored recording again, without running programs, and append the new results.
 
-    If a result stays the same and was made with exactly these criteria, it's kept. A result that has no mark because a
-    criterion crashed is judged again, too. Raises FolderInUse.
+    Nothing is appended if a result stays the same and was made with exactly these criteria. A result that has no mark
+    because a criterion crashed is judged again, too. Raises FolderInUse.
     """
     with ResultsFile(out / RESULTS) as file:
         known = last_results(out / RESULTS)
@@ -78,9 +79,9 @@ def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
 
 
 def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> Regraded:
-    """Judge a recording again, even if the criteria are the same.
+    """Judge a recording again, even if the criteria are unchanged.
 
-    A judgment also depends on other parts of the course.
+    That's necessary because a judgment also depends on other parts of the course.
     """
     if result.status != "graded" and result.tries:  # no try counted, and judging again can't change that
         return Regraded(result.student, result.score, None, NO_SCORE)
@@ -97,13 +98,16 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
 
 
 def _made_by(result: Result, criteria: str = "") -> tuple[str, str]:
-    """Return the versions of the workbook and of the criteria; if `criteria` is given, the current ones."""
+    """Return the workbook version and the criteria's hash with which a result was made.
+
+    If `criteria` is given, return the current workbook version and this hash.
+    """
     made = versions(criteria) if criteria else result.versions
     return made.workbook, made.criteria
 
 
 def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
-    """Return the new result, or the reason why there is none."""
+    """Return the new result, or the reason that there is none."""
     try:
         tries = [
             _judged_again(out / name, inconclusive_reason, end_only, exercise, result.answer_sha256)
@@ -137,9 +141,9 @@ def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
 
 
 def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
-    """Yield each try's recording, why the try was inconclusive, and whether only its end was.
+    """Yield (recording, reason, end only) for each try: why it was inconclusive, and whether only the end was.
 
-    A try has no recording if the slot died during it.
+    A try has no recording if the slot died during it; such a try is left out.
     """
     if not result.tries and result.recording is not None:
         yield result.recording, result.inconclusive_reason, False
@@ -151,7 +155,7 @@ def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
 def _judged_again(
     path: Path, inconclusive_reason: str, end_only: bool, exercise: Exercise, answer_sha256: str
 ) -> Judgement:
-    """Judge a stored recording again. Raises CannotRegrade."""
+    """Judge a stored recording again. Raises CannotRegrade if that's impossible."""
     try:
         recording = Recording.load(path)
     except (OSError, ValueError, TypeError) as error:

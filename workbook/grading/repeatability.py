@@ -10,14 +10,14 @@ from workbook.grading.judges import GradingBackend, Job
 
 @dataclass(frozen=True)
 class Unsteady:
-    """An answer whose verdict varies: each verdict, and how often it occurred."""
+    """An answer whose verdict varies. `verdicts`: each verdict, and how often it occurred."""
 
     student: str
     verdicts: tuple[tuple[str, int], ...]
 
 
 def verdict_of(judgement: Judgement) -> str:
-    """Summarize the points and the lost criteria in one line."""
+    """Summarize the points and the failed criteria in one line."""
     if judgement.status != "graded":
         return f"not judged: {judgement.reason}"
     lost = [one.id for one in judgement.criteria if one.status in ("failed", "partial")]

@@ -69,7 +69,7 @@ class Versions:
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
     def told(self) -> str:
-        """Return a short description of the versions, with the first characters of the criteria's hash."""
+        """Return a short description of the versions, with the beginning of the criteria's hash."""
         return f"workbook {self.workbook}, criteria {self.criteria[:12]}, rclpy {self.rclpy}"
 
 
@@ -77,7 +77,7 @@ class Versions:
 class Try:
     """One judgment of an answer that was tried more than once. `counts`: whether it became the result.
 
-    `end_only`: only the points for the program's end are inconclusive.
+    `end_only`: whether only the points for how the program ends are inconclusive.
     """
 
     counts: bool
@@ -95,10 +95,10 @@ class Try:
 
 @dataclass(frozen=True)
 class Result:
-    """The result for one answer. `score` is None unless the answer was graded, so an error of ours is never a zero.
+    """The result for one answer. `score` is None unless it was graded, so an error in the judge never counts as a zero.
 
-    `answer`: the path of the file as it was handed in; `recording`: the recording's path, below the results. `tries`:
-    all judgments of an answer that was tried more than once, because the first was inconclusive
+    `answer`: the path of the file as it was handed in. `recording`: the recording's path, relative to the results'
+    folder. `tries`: all judgments of an answer that was tried more than once, because the first was inconclusive
     (`inconclusive_reason`). `why_this_try`: which try counts and why, as a sentence. `late_points`: the late penalty,
     subtracted from `score`; always 0 in the file. `by_hand`: a person's changes; always empty in the file.
     """
@@ -140,7 +140,7 @@ class Result:
 
     @property
     def isolation_problem(self) -> str:
-        """A sentence on the protection that the isolation tier couldn't provide; empty if nothing was missing."""
+        """A sentence about the protection that the isolation tier couldn't provide; empty if nothing was missing."""
         problem = "" if self.process is None else self.process.unfiltered
         return f"Its system calls were not filtered: {problem}." if problem else ""
 

@@ -51,9 +51,9 @@ def result_of(line: str | bytes) -> Result:
 
 
 def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[Result]:
-    """Yield all results in a file; none if it doesn't exist. Call `tell_broken` for each invalid line.
+    """Yield all results in a file; none if the file doesn't exist. Call `tell_broken` for each invalid line.
 
-    Skip an incomplete last line, which a run leaves if it's killed while writing.
+    Skip an incomplete last line, which remains if a run is killed while writing.
     """
     if not path.exists():
         return
@@ -72,7 +72,7 @@ def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[
 
 
 def last_results(path: Path, tell_broken: TellBroken = tell_nobody) -> dict[StudentAndExercise, Result]:
-    """Return the current result per (student, exercise), which is the last complete line."""
+    """Return the current result for each (student, exercise), which is the last complete line for it."""
     return {result.key: result for result in read_results(path, tell_broken)}
 
 
@@ -87,9 +87,9 @@ class Done(NamedTuple):
 
 
 def done_before(path: Path, exercise: str) -> dict[str, Done]:
-    """Return the earlier results of one exercise, by student.
+    """Return the earlier results of one exercise, keyed by student.
 
-    They contain little data, so even a large class fits into memory.
+    They contain little data, so that even a large class's results fit into memory.
     """
     return {
         result.student: Done(
@@ -107,7 +107,7 @@ class FolderInUse(OSError):
 class ResultsFile:
     """Appends results. Each one is flushed to disk before its answer counts as done.
 
-    Only one process may have it open; for others, opening it raises FolderInUse.
+    Only one process may have the file open. In any other process, opening it raises FolderInUse.
     """
 
     def __init__(self, path: Path) -> None:
@@ -137,7 +137,7 @@ class ResultsFile:
                 file.truncate(raw.rfind(b"\n") + 1)
 
     def append(self, result: Result) -> None:
-        """Write one result, and return once it's on disk. Raises OSError, which names the file."""
+        """Write one result, and return once it's on disk. Raises an OSError that names the file."""
         with naming(Path(self._file.name)):
             self._file.write(line_of(result))
             self._file.flush()

@@ -14,7 +14,10 @@ class BadOption(ValueError):
 
 @dataclass(frozen=True)
 class Roster:
-    """`aliases`: student by file or folder name. `assignment`: the exercise's name in nbgrader."""
+    """The instructor's names for students and for the exercise.
+
+    `aliases`: maps file and folder names to students. `assignment`: the exercise's name in nbgrader.
+    """
 
     aliases: Mapping[str, str] = field(default_factory=dict)
     assignment: str | None = None
@@ -22,8 +25,8 @@ class Roster:
     def hand_ins(self, found: Sequence[HandIn]) -> list[HandIn]:
         """Return one hand-in per student, sorted, with the student's name from the aliases.
 
-        If a student has two hand-ins, both are refused. A hand-in is refused, too, if aliases give it to two students.
-        The same happens if its own name belongs to one student but an alias gives it to another.
+        If a student has several hand-ins, all of them are rejected. A hand-in is also rejected if aliases give it to
+        two students. It's rejected, too, if it's named after one student but an alias gives it to another.
         """
         students = set(self.aliases.values())
         students |= {one.student for one in found if not self._owners(one)}
@@ -40,7 +43,8 @@ class Roster:
     def _given(self, hand_in: HandIn, students: Set[str]) -> list[HandIn]:
         """Return the hand-in under its student's name.
 
-        If an alias names several students, refuse it for every student.
+        If an alias makes it unclear which of several students it belongs to, return a rejected hand-in for each of
+        them.
         """
         owners = self._owners(hand_in)
         if not owners:
@@ -61,14 +65,14 @@ class Roster:
 def _names(hand_in: HandIn) -> tuple[str, ...]:
     """Return the names by which an alias may refer to a hand-in: its path, or its top file's or folder's name.
 
-    Students choose the names further down, so a student could choose another student's alias.
+    Names further down don't count: students choose these, so a student could choose another student's alias.
     """
     label = one_spelling(hand_in.label)
     return label, *Path(label).parts[:1], hand_in.student
 
 
 def about_unused(names: Sequence[str]) -> str:
-    """Return a sentence on unused aliases, naming the first few; empty if every alias was used."""
+    """Return a sentence about unused aliases, naming the first few; empty if every alias was used."""
     if not names:
         return ""
     what = "1 alias fits" if len(names) == 1 else f"{len(names)} aliases fit"

@@ -1,8 +1,8 @@
 """Find pairs of answers that differ only in names, comments, and layout. A match is a hint, never a verdict.
 
-The method is winnowing, as in MOSS (Schleimer, Wilkerson, and Aiken, 2003) and as implemented by `copydetect`. All
-names become the same letter, and comments and spaces are removed. The rest is compared by fingerprints. Short programs
-for the same task look alike even if no student copied.
+The method is winnowing, as in MOSS (Schleimer, Wilkerson, and Aiken, 2003) and as implemented by `copydetect`. Each
+name is replaced by the same letter, and comments and spaces are removed. The rest is compared by fingerprints. Short
+programs for the same task look alike even if no student copied.
 """
 
 from collections.abc import Mapping
@@ -11,16 +11,17 @@ from itertools import combinations
 from typing import Any
 
 RUN = 25
-"""A fingerprint's length in characters. `FOUND_FOR_SURE` is the shortest common run that's always found. Both are
-copydetect's defaults.
+"""A fingerprint's length in characters.
+
+`FOUND_FOR_SURE` is the shortest common text that's always found, in characters. Both are copydetect's defaults.
 """
 FOUND_FOR_SURE = 30
 ALIKE = 0.9
 """The share of fingerprints that two answers must have in common to be listed."""
 FEWEST = 10
-"""The fewest fingerprints, without the starter's, that an answer needs to be compared."""
+"""The fewest fingerprints that an answer needs to be compared, not counting the starter's fingerprints."""
 LONGEST = 100_000
-"""The most characters of an answer that we compare."""
+"""The most characters of an answer. Longer answers aren't compared."""
 
 
 class NoComparison(RuntimeError):
@@ -38,7 +39,10 @@ class Pair:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The similar pairs, most similar first, and the students whose answers couldn't be compared."""
+    """The similar pairs, most similar first, and the students whose answers couldn't be compared.
+
+    `compared`: how many answers were compared.
+    """
 
     pairs: tuple[Pair, ...]
     compared: int
@@ -47,7 +51,7 @@ class Comparison:
 
 
 def compare(answers: Mapping[str, str], starter: str) -> Comparison:
-    """Compare all students' answers with each other, ignoring the starter's lines. Raises NoComparison."""
+    """Compare all answers, keyed by student, with each other. Ignore the starter's lines. Raises NoComparison."""
     common = _all_fingerprints(starter)
     too_long = tuple(sorted(name for name, text in answers.items() if len(text) > LONGEST))
     prints = {
@@ -80,7 +84,7 @@ def _all_fingerprints(text: str) -> set[int]:
 
 
 def _hashes(text: str) -> Any:
-    """Return an array with the hashes of all runs of `RUN` characters."""
+    """Return an array with the hashes of all substrings of `RUN` characters."""
     try:
         from copydetect.utils import filter_code, hashed_kgrams
     except ImportError as error:

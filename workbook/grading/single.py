@@ -37,7 +37,7 @@ def choose_isolation(wanted: str) -> Isolation:
 
 
 def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolation) -> Result:
-    """Grade one hand-in, with recordings below `out`. If it can't be judged, return a result that says why."""
+    """Grade one hand-in, with recordings under `out`. If it can't be judged, the result contains the reason."""
     by = GradedBy(exercise, isolation, out)
     try:
         if hand_in.problem is not None:

@@ -12,14 +12,14 @@ _TOOLS = frozenset({".git", ".github", ".vscode", ".idea", ".venv", ".cache", ".
 
 @dataclass(frozen=True)
 class Skipped:
-    """A file or folder that wasn't recognized as a hand-in. `reason` says why, and what to do."""
+    """A file or folder that wasn't recognized as a hand-in. `reason`: why not, and what to do."""
 
     label: str
     reason: str
 
 
 def find_skipped(paths: Sequence[Path]) -> list[Skipped]:
-    """Return everything below `paths` that looks like an answer but isn't named like one."""
+    """Return everything under `paths` that looks like an answer but isn't named like one."""
     found: list[Skipped] = []
     for path in paths:
         if path.is_dir():

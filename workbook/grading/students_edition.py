@@ -14,7 +14,7 @@ from workbook.exercise.without_solution import without_solution
 from workbook.grading.packaging import GRADESCOPE_FILES, CannotPackage, files_below
 
 MANIFEST = ".edition.json"
-"""Stores the hash of each file that we wrote into the edition, so that a later run recognizes its own files."""
+"""The file with the hash of each file that we wrote into the edition, so that a later run recognizes its own files."""
 PAGES = ("README.md", "environment.md", "docs/commands.md")
 """Pages with passages for instructors only, marked by comments; see `for_students`."""
 KEPT = (
@@ -22,7 +22,7 @@ KEPT = (
 )  # fmt: skip
 FOLDERS = ("workbook", "lesson_nodes", "exercises/criteria", "exercises/drivers", "exercises/partners")
 NOT_FOR_STUDENTS = "workbook/authoring/site/"
-"""The site, which consists of pages that the students' edition doesn't have."""
+"""The package for the website. It needs pages that the students' edition doesn't have."""
 FILES = (
     "notebooks/*.ipynb",
     "notebooks/*.md",
@@ -34,7 +34,7 @@ FILES = (
 TARGETS = ("help", "env", "lab", "progress", "test", "clean")
 """The Makefile targets that students need."""
 ITS_OWN = {"tests/test_course.py": "course_tests.txt", "solutions/README.md": "solutions.md"}
-"""The files that only this edition has, and the files with their text."""
+"""Maps each file that only the students' edition has to the file with its text."""
 _INSTRUCTORS = re.compile(r"<!-- for instructors -->\n.*?<!-- end of for instructors -->\n\n?", re.DOTALL)
 _LINE = re.compile(r".*<!-- for instructors -->.*\n")
 _IN_MAKEFILE = {
@@ -57,9 +57,9 @@ class Edition:
 def students_edition(course: Path, target: Path) -> Edition:
     """Write the students' edition of a course into a folder, or as an archive if `target` ends with .zip.
 
-    A folder may contain an earlier edition, for example with its Git history; then it's updated. Equal courses give
-    equal bytes. Raises CannotPackage if a folder contains anything else, or if a file of the earlier edition was
-    changed by hand. It's also raised if the course has hidden criteria, which students could read.
+    If the folder contains an earlier edition, perhaps with its Git history, that edition is updated. The same course
+    always gives the same bytes. Raises CannotPackage if the folder contains anything else, or if a file of the earlier
+    edition was changed by hand. It's also raised if the course has hidden criteria, which students could read.
     """
     files = dict(_files(course))
     if target.suffix == ".zip":
@@ -71,8 +71,8 @@ def students_edition(course: Path, target: Path) -> Edition:
 def for_students(text: str) -> str:
     """Return a page without the passages for instructors.
 
-    These are between `<!-- for instructors -->` and `<!-- end of for instructors -->`, each on its own line. A single
-    line, such as a table row, is removed if it contains the first marker.
+    Such a passage is between `<!-- for instructors -->` and `<!-- end of for instructors -->`, each on a separate line.
+    A single line, such as a table row, is removed if it contains the first marker.
     """
     return _LINE.sub("", _INSTRUCTORS.sub("", text))
 
@@ -95,7 +95,10 @@ def _files(course: Path) -> Iterator[tuple[str, bytes]]:
 
 
 def source_for_students(course: Path, stem: str) -> str:
-    """Return an exercise's source with its starter and hints, but without its solution. Raises CannotPackage."""
+    """Return an exercise's source with its starter and hints, but without its solution.
+
+    Raises CannotPackage if the exercise has a hidden criterion in the course's folder.
+    """
     exercise = load_exercise(stem, course)
     # Criteria in the instructor's own folder are never copied, but a hidden one in the course's folder would be.
     if any(one.hidden for one in exercise.criteria if one.title in _criteria_text(course, stem)):
@@ -111,7 +114,7 @@ def _criteria_text(course: Path, stem: str) -> str:
 
 
 def _makefile(text: str) -> str:
-    """Reduce the Makefile to the students' targets. Its `make test` runs the edition's tests."""
+    """Reduce the Makefile to the students' targets, and have `make test` run the edition's tests."""
     begins = [match.start() for match in _TARGET.finditer(text)]
     head, *targets = (text[a:b] for a, b in zip([0, *begins], [*begins, len(text)], strict=True))
     kept = [one for one in targets if one.partition(":")[0] in TARGETS]
@@ -162,7 +165,7 @@ def _into(files: dict[str, bytes], folder: Path) -> Edition:
 
 
 def _earlier(folder: Path) -> dict[str, str]:
-    """Return the hash of each file that an earlier run wrote; empty for a new folder."""
+    """Return the hash of each file that an earlier run wrote, keyed by name; empty for a new folder."""
     if not folder.exists() or not any(one.name != ".git" for one in folder.iterdir()):
         return {}
     try:

@@ -1,4 +1,4 @@
-"""Find out which isolation tiers work on this machine, by letting the slot for the first answer try them."""
+"""Find out which isolation tiers work on this machine by testing each with a slot, which is kept if it works."""
 
 import socket
 from functools import cache
@@ -12,9 +12,10 @@ SELF_TEST_S = 60.0
 
 @cache
 def tier_problem(isolation: Isolation) -> str | None:
-    """Return why a tier doesn't work here, and what to do; None if it does. The first call takes a second.
+    """Return the reason that a tier doesn't work here, and how to fix it; None if it does work.
 
-    If the tier works, the slot that tried it is kept for the first answer (see `warm_slots`).
+    The first call takes a second. If the tier works, the slot that tested it is kept for the first answer (see
+    `warm_slots`).
     """
     return known_problem(isolation) or _try_out(isolation)
 
@@ -25,7 +26,10 @@ def best_below_sandbox() -> Isolation:
 
 
 def _try_out(isolation: Isolation) -> str | None:
-    """Let a slot run our own program in this tier, to test its isolation and whether we receive its messages."""
+    """Have a slot run a program of ours in this tier. Return the problem, or None if the tier works.
+
+    The slot tests the tier's isolation, and checks that we receive the program's messages.
+    """
     with socket.create_server(("127.0.0.1", 0)) as listener:
         try:
             slot = Slot(isolation, port=listener.getsockname()[1])

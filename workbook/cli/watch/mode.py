@@ -23,15 +23,18 @@ from workbook.grading.slots.protocol import Progress
 from workbook.inside.proc import pids, process_tree
 
 LOOK_S = 0.1
-"""Polling period (s). If the file is unchanged between two polls, it was written completely."""
+"""The polling period, in seconds. We assume that a file is complete if it's unchanged between two polls."""
 END_S = 5.0
-"""Time (s) that our child processes have to end after `_end_all` closes the slot."""
+"""How long our child processes have to end after `_end_all` closes the slot, in seconds."""
 
 Signature = tuple[int, ...] | None
 
 
 def signature(file: Path) -> Signature:
-    """Return a value that changes with each save; None while the file is missing, as when an editor replaces it."""
+    """Return a value that changes with each save.
+
+    Return None if the file is missing, as it is briefly when an editor replaces it.
+    """
     try:
         state = file.stat()
     except OSError:
@@ -40,7 +43,7 @@ def signature(file: Path) -> Signature:
 
 
 class _SavedAgain(Exception):
-    """The file was saved again before the answer's next try."""
+    """Raised if the file was saved again before the answer's next try."""
 
 
 @dataclass
@@ -83,7 +86,7 @@ class WatchMode:
         return self._code
 
     def _end_all(self) -> None:
-        """Close the slot, even while it's judging, and wait for its processes to end."""
+        """Close the slot, even if it's judging, and wait for its processes to end."""
         started = process_tree(os.getpid())[1:]
         warm_slots.close()
         deadline = time.monotonic() + END_S
@@ -111,7 +114,10 @@ class WatchMode:
             before = now
 
     def _holds_another(self) -> bool:
-        """Return whether the program differs from the last judged one. `%start` and `%check` save it unchanged."""
+        """Return whether the file's program differs from the last judged one.
+
+        `%start` and `%check` save the file without changing the program.
+        """
         try:
             return read_answer(self._watched.file, self._watched.source.stem).text != self._judged_text
         except (Ungradable, OSError):
@@ -148,7 +154,7 @@ class WatchMode:
         self._show(self._text(judgement), *filter(None, notes), *self._keys())
 
     def _judged(self, answer: Answer) -> Judgement:
-        """Judge in the warm slot. Raises _SavedAgain if the file was saved again since the previous try."""
+        """Judge in the warm slot. Raises _SavedAgain if the file was saved again since judging began."""
         if signature(self._watched.file) not in (self._seen, None):
             raise _SavedAgain
         job = Job("", self._watched.source.stem, answer, seed=self._watched.seed)
@@ -162,12 +168,12 @@ class WatchMode:
         )
 
     def _report(self, judgement: Judgement) -> None:
-        """Show a provisional judgment."""
+        """Show a provisional judgment while the program is still being watched."""
         self._doing = "Still watching your program ..."
         self._show(self._text(judgement), self._doing)
 
     def _progress(self, progress: Progress) -> None:
-        """Show the slot's progress, but only on a terminal, where the new text replaces the old one."""
+        """Show the slot's progress, but only on a terminal, where new text can overwrite the old."""
         if self._screen.is_terminal:
             self._screen.show(self._shown, f"{self._doing} {progress}")
 
@@ -181,7 +187,7 @@ class WatchMode:
         self._screen.show(text, *notes)
 
     def _change(self, judgement: Judgement) -> str:
-        """Return the change in points since the previous save."""
+        """Return a sentence about the change in points since the last judged save; "" if there is no change."""
         if judgement.status != "graded":
             return ""
         points, before = wording.shown_points(judgement)[0], self._points

@@ -1,4 +1,4 @@
-"""The screen of `workbook check --watch`, and the keys that it accepts."""
+"""Define the screen of `workbook check --watch`, and the keys that it accepts."""
 
 import contextlib
 import os
@@ -12,11 +12,11 @@ from collections.abc import Iterator
 from workbook.cli import terminal
 
 _CLEAR = "\x1b[H\x1b[2J\x1b[3J"
-"""Move the cursor to the top left, clear the screen, and delete the scrollback."""
+"""Moves the cursor to the top left, clears the screen, and deletes the scrollback."""
 
 
 class WatchScreen:
-    """Shows one text at a time. On a terminal, each text replaces the previous one; elsewhere, they're appended."""
+    """Shows one text at a time. On a terminal, each text replaces the previous one; elsewhere, texts are appended."""
 
     def __init__(self) -> None:
         self.is_terminal = sys.stdout.isatty()

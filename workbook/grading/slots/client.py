@@ -35,27 +35,29 @@ from workbook.programs.fork_client import ForkedProgram, NotForked, request_fork
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
-"""Applies to a slot that always has a processor. A slot that waits for one gets more time; see `SlotHealth.slowed_by`.
+"""How long judging one answer may take on a slot that always has a processor, in seconds.
+
+A slot that has to wait for a processor gets more time; see `SlotHealth.slowed_by`.
 """
 SLOT_MODULE = ("-m", "workbook.grading.slots.worker")
 KILLED_S = 30.0
-"""How long (s) a killed slot and its answer's leftover processes may take to end."""
+"""How long a killed slot and its answer's leftover processes may take to end, in seconds."""
 SERVER_MODULE = ("-m", "workbook.grading.slots.forking")
 UNTRIED = "no slot has tried it yet"
 TRIAL_S = 60.0
 END_S = 5.0
 FORKED_S = 30.0
-"""In seconds, including the server's start, for which the first slot waits."""
+"""How long forking a slot may take, in seconds. For the first slot, that includes the server's start."""
 
 ShowProgress = Callable[[Progress], None]
 
 
 class SlotBroken(RuntimeError):
-    """The slot ended or didn't respond in time. The message says which. The answer wasn't judged."""
+    """The slot ended or didn't respond in time, so the answer wasn't judged. The message says what happened."""
 
 
 class NotBegun(SlotBroken):
-    """The slot couldn't begin, so no answer is to blame. The message says why."""
+    """The slot couldn't start, so no answer is to blame. The message says why."""
 
 
 def slot_environment(own_criteria: Path | None) -> dict[str, str]:
@@ -86,11 +88,17 @@ class ForkedSlot:
         self.stdout.close()
 
     def poll(self) -> int | None:
-        """Return the exit code (negative: a signal's number); None while the slot or its leftover processes exist."""
+        """Return the exit code, or None while the slot or its leftover processes exist.
+
+        A negative code is the number of the signal that ended the slot.
+        """
         return self._child.poll()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the slot's end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the slot to end, and return its exit code.
+
+        Raises subprocess.TimeoutExpired after `timeout` seconds.
+        """
         code = self._child.wait(timeout)
         self._child.close()
         return code
@@ -133,7 +141,7 @@ class SlotServer:
 
     @property
     def is_tried(self) -> bool:
-        """Whether forking has been tried. Until then, every caller waits for the first try."""
+        """Whether a slot has been forked as a test. Until then, all callers of `fork` wait for that test."""
         return self._problem != UNTRIED
 
     @property
@@ -142,9 +150,10 @@ class SlotServer:
         return self._process.poll() is None
 
     def fork(self, groups: LeasedGroups | None) -> ForkedSlot:
-        """Fork a slot. `groups`: leased for it by the caller. Raises NotForked and OSError.
+        """Fork a slot. `groups`: the memory cgroups that the caller leased for it. Raises NotForked and OSError.
 
-        The first slot tests its tier while others wait, because a forked slot runs in a sandbox within a sandbox.
+        The first slot tests its tier while other callers wait. The test is necessary because a forked slot runs in a
+        sandbox within a sandbox.
         """
         with self._trial:
             if self._problem == UNTRIED:
@@ -163,7 +172,7 @@ class SlotServer:
         return self._fork(groups)
 
     def _tried(self, groups: LeasedGroups | None) -> tuple[ForkedSlot, str | None]:
-        """Fork a slot and let it test its tier. Return the slot, and the tier's problem if there is one."""
+        """Fork a slot, and have it test its tier. Return the slot, and the tier's problem if there is one."""
         with socket.create_server(("127.0.0.1", 0)) as listener:
             slot = self._fork(groups, listener.getsockname()[1])
             try:
@@ -212,8 +221,8 @@ class Slot:
 
     `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, if it
     differs from this process's. `port`: the port of a listener on this machine; if it's given, the slot first tests
-    whether the tier isolates (see `problem`). `server`: forks the slot if possible; it must have the same tier and
-    environment. Raises SlotBroken if the tier "uid" finds no free user id.
+    whether the tier isolates programs (see `problem`). `server`: forks the slot if possible; it must have the same tier
+    and environment. Raises SlotBroken if no user ID is free for the "uid" tier.
     """
 
     def __init__(
@@ -240,7 +249,7 @@ class Slot:
         self._lines = LineReader(self._process.stdout.fileno())
 
     def _forked(self, server: SlotServer | None) -> tuple[ForkedSlot, SlotHealth] | None:
-        """Fork a process from the server. Return None if that fails."""
+        """Have the server fork a slot. Return None if there is no server, or if forking fails."""
         if server is None:
             return None
         try:
@@ -268,11 +277,11 @@ class Slot:
         return process, SlotHealth(process.pid, SLOT_MODULE)
 
     def problem(self, timeout_s: float) -> str | None:
-        """Return why the slot's tier doesn't isolate on this machine; None if it does.
+        """Return the reason that the slot's tier doesn't isolate programs on this machine; None if it does.
 
         Call it before the first job, on a slot that tests its tier.
 
-        Raises SlotBroken if the slot hasn't finished the test after `timeout_s` s.
+        Raises SlotBroken if the slot hasn't finished the test after `timeout_s` seconds.
         """
         self._health.begin()
         found = self._read_line(time.monotonic(), timeout_s)["problem"]
@@ -284,7 +293,10 @@ class Slot:
         return self._process.poll() is None
 
     def _read_line(self, began: float, timeout_s: float) -> Message:
-        """Return the next message. `timeout_s` counts from `began` and assumes an idle machine."""
+        """Return the next message. Raises SlotBroken if it doesn't arrive in time, or if the slot has a problem.
+
+        The slot has `timeout_s` seconds from `began`, and more if other processes keep the machine busy.
+        """
         while True:
             left = began + timeout_s - time.monotonic()
             if left <= 0:
@@ -316,7 +328,7 @@ class Slot:
         report: Report | None = None,
         progress: ShowProgress | None = None,
     ) -> Judgement:
-        """Judge one answer; see `Judge.judge`. If it raises SlotBroken, use a new slot.
+        """Judge one answer; see `Judge.judge`. After SlotBroken, this slot can't be used any more.
 
         `progress` is called several times a second.
         """
@@ -346,7 +358,7 @@ class Slot:
         self._process.stdin.flush()
 
     def cancel_soak(self) -> None:
-        """Cut short the real seconds for which a judged program is watched. Thread-safe."""
+        """End the real-time watch of the judged program early. Thread-safe."""
         with contextlib.suppress(OSError, ValueError):
             self._send(line_of(ENOUGH))
 
@@ -375,7 +387,7 @@ class Slot:
         self._sweep()
 
     def _sweep(self) -> None:
-        """Remove the slot's memory cgroups, end processes with its user id, and release the id."""
+        """Remove the slot's memory cgroups, end processes with its user ID, and release the ID."""
         if self._groups is not None:
             self._groups.remove()
         if self._ids is not None:

@@ -3,12 +3,12 @@
     python -m workbook.grading.slots.forking CHANNEL TIER
 
 CHANNEL is the file descriptor of an inherited socket. It carries requests (see `SlotRequest`), each with three
-descriptors: for the slot's status, its standard input, and its standard output. Once the slot is in its sandbox, its
-process id is reported. After all of its processes have ended, an empty line and the slot's exit status (from
-`os.waitpid`) follow. A slot that ends too early reports no process id. The empty line then keeps the exit status from
-being read as the process id.
+descriptors: for the slot's status, its standard input, and its standard output. Once the slot is in its sandbox, it
+writes its process ID to the status descriptor. After all of its processes have ended, this process adds an empty line
+and the slot's exit status (from `os.waitpid`). A slot that ends too early reports no process ID. The empty line then
+keeps the exit status from being read as the process ID.
 
-In the tier "sandbox", this process runs in an outer sandbox, and each slot gets its own. We create an empty sandbox,
+In the "sandbox" tier, this process runs in an outer sandbox, and each slot gets its own. We create an empty sandbox,
 and the forked process enters it.
 """
 
@@ -42,17 +42,18 @@ DESCRIPTORS = 3
 SEEDS = 2
 """The number of fork servers for programs. Each has a different seed for string hashes; see `SandboxTier`."""
 LAST_WORDS_S = 2.0
-"""How long (s) slots have for an orderly exit when this process is asked to end."""
+"""How long slots have for an orderly exit when this process is asked to end, in seconds."""
 POLL_S = 0.01
 FAILED = 125
-"""Exit code of a slot that couldn't enter its sandbox."""
+"""The exit code of a slot that couldn't enter its sandbox."""
 
 
 @dataclass(frozen=True)
 class SlotRequest:
-    """A request for one slot. `groups`: its folder for memory cgroups, or None. `folder`: its working directory.
+    """A request for one slot.
 
-    `port`: the port of a listener on this machine, for a slot that first tests its tier; None for the others.
+    `groups`: the slot's folder for memory cgroups, or None. `folder`: its working directory. `port`: the port of a
+    listener on this machine, for a slot that first tests its tier; None for the others.
     """
 
     groups: str | None
@@ -94,7 +95,7 @@ class EmptySandbox:
 
 @dataclass(frozen=True)
 class RunningSlot:
-    """A forked slot, its sandbox, and the descriptor for reporting its end."""
+    """A forked slot, its sandbox if it has one, and the descriptor for reporting its end."""
 
     pid: int
     status_fd: int
@@ -116,7 +117,10 @@ class SlotForker:
     _lttng: LttngForkHooks = field(default_factory=LttngForkHooks)
 
     def work(self) -> None:
-        """Serve requests until the channel is closed. Also returns in each forked slot, once that slot has ended."""
+        """Serve requests until the channel is closed.
+
+        In the process of a forked slot, this function also returns, once that slot has ended.
+        """
         for asked, descriptors in requests(self.channel, self.ended, self._report_ended):
             if len(descriptors) != DESCRIPTORS:  # this process has no room for more descriptors
                 close_all(descriptors)

@@ -14,23 +14,24 @@ from workbook.inside.proc import (
 )
 
 SLOT_BYTES = 1_000_000_000
-"""The most memory (bytes) for a slot without the program that it judges. A slot with full caches uses 130 MB
-(measured).
-"""
+"""The most memory for a slot without its program, in bytes. A slot with full caches uses 130 MB (measured)."""
 STUCK_S = 2.5
-"""The most processor time (s) for a slot's other threads while its main thread doesn't run once. The main thread runs
-many times a second, even while waiting, unless DDS never releases a lock.
+"""The most processor time for a slot's other threads while its main thread doesn't run once, in seconds.
+
+The main thread runs many times a second, even while waiting, unless DDS never releases a lock.
 """
 MOST_SLOWED = 3.0
-"""The largest factor that we accept for a busy machine. Without this cap, an answer that keeps all processors busy
-would gain more time.
+"""The largest factor by which a busy machine may extend a deadline.
+
+Without this cap, an answer that keeps all processors busy would gain more time.
 """
 
 
 class SlotHealth:
-    """Watches the judging process from outside: `pid`, or a descendant whose command line begins with `command`.
+    """Watches the judging process of a slot from outside.
 
-    The tier may have put that process into a separate sandbox.
+    Without `command`, that's the process `pid`. Otherwise, it's `pid` or a descendant, whose command line begins with
+    `command`, because the tier may have put the judging process into a separate sandbox.
     """
 
     def __init__(self, pid: int, command: Sequence[str] | None = None) -> None:
@@ -42,7 +43,7 @@ class SlotHealth:
         self._before = (0.0, 0.0)
 
     def problem(self) -> str | None:
-        """Return why the slot is no longer reliable; None if it is."""
+        """Return the reason that the slot is no longer reliable; None if it still is."""
         judge = self._judge()
         if judge is None:
             return None
@@ -58,8 +59,8 @@ class SlotHealth:
     def slowed_by(self) -> float:
         """Return how many times longer the slot took since `begin` because other processes used the processors.
 
-        The factor is between 1 and MOST_SLOWED. It compares the time for which the slot's main thread ran with the time
-        for which it waited for a processor.
+        The factor is between 1 and MOST_SLOWED. It's computed from how long the slot's main thread ran, and how long it
+        waited for a processor.
         """
         judge = self._judge()
         if judge is None:

@@ -30,16 +30,19 @@ from workbook.isolation.tiers import Isolation, meets_others
 FORKED: tuple[Isolation, ...] = ("sandbox", "limits")
 """The tiers in which many slots run at the same time.
 
-The other tiers have one slot, so starting a server isn't worthwhile.
+In the other tiers, only one slot runs at a time, so a server that forks slots isn't worthwhile.
 """
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
-"""The prefix of the reason for an ungradable answer: it breaks slots, although slots can judge other answers."""
+"""The prefix of the reason if an answer is ungradable because it breaks slots that can judge a correct answer."""
 LOOK = "Look at it yourself: it is not run again as long as it stays the same, unless you ask with --retry-stopped"
 
 
 class Kind(NamedTuple):
-    """The properties that a slot must share with an answer to judge it. See `Slot`."""
+    """The properties that a slot and an answer must have in common before the slot can judge the answer.
+
+    See `Slot` for their meaning.
+    """
 
     isolation: Isolation = "limits"
     own_criteria: Path | None = None
@@ -55,8 +58,8 @@ class _Idle:
 class SlotPool:
     """Keeps slots warm between answers, along with the servers that fork them. Thread-safe.
 
-    A slot that has been idle for longer than `idle_s` is ended; None keeps it until the pool is closed. A slot that
-    isn't forked ends with the thread that started it.
+    A slot that has been idle for longer than `idle_s` seconds is ended. If `idle_s` is None, slots are kept until the
+    pool is closed. A slot that isn't forked ends with the thread that started it.
     """
 
     def __init__(self, idle_s: float | None = None) -> None:
@@ -71,7 +74,10 @@ class SlotPool:
         self._owner = os.getpid()
 
     def fork_from_now_on(self, kind: Kind) -> SlotServer | None:
-        """Fork this kind's slots from now on. Return the server; None if forking is impossible or not worthwhile."""
+        """Fork this kind's slots from a server from now on. Return the server.
+
+        Return None if forking is impossible or not worthwhile.
+        """
         with self._turn:
             server = self._servers.get(kind)
             if server is not None and not server.is_running:
@@ -84,7 +90,7 @@ class SlotPool:
             return server
 
     def take_warm(self, kind: Kind) -> Slot | None:
-        """Return a free warm slot that's as good as a new one; None if there isn't one."""
+        """Return a free slot that still runs and has the current environment; None if there is none."""
         while True:
             with self._changed:
                 found = next((one for one in reversed(self._idle) if one.kind == kind), None)
@@ -97,11 +103,11 @@ class SlotPool:
             found.slot.close()
 
     def take(self, kind: Kind) -> Slot:
-        """Return a warm slot, or a new one. See `start`."""
+        """Return a warm slot if there is one; otherwise, start one (see `start`)."""
         return self.take_warm(kind) or self.start(kind)
 
     def start(self, kind: Kind) -> Slot:
-        """Start a new slot and return it. Raises SlotBroken if the tier "uid" finds no free user id."""
+        """Start a new slot and return it. Raises SlotBroken if no user ID is free for the "uid" tier."""
         with self._changed:
             self._starting.append(kind)
             server = self._servers.get(kind)
@@ -115,7 +121,7 @@ class SlotPool:
         return slot
 
     def give(self, kind: Kind, slot: Slot) -> None:
-        """Keep an idle slot for the next answer."""
+        """Keep a slot that finished its work for the next answer."""
         with self._changed:
             self._at_work.pop(slot, None)
             self._idle.append(_Idle(kind, slot, time.monotonic()))
@@ -131,14 +137,14 @@ class SlotPool:
         slot.kill()
 
     def warm_up(self, kind: Kind) -> None:
-        """Prepare a slot for the next answer, unless one is already at work."""
+        """Prepare a slot of this kind for the next answer, unless a slot of this kind is judging now."""
         with self._changed:
             is_at_work = kind in self._at_work.values()
         if not is_at_work:
             self.give(kind, self.take(kind))
 
     def move(self, kind: Kind, other: "SlotPool") -> bool:
-        """Move a warm slot of this kind to another pool. Return whether there was one."""
+        """Move a warm slot of this kind to another pool. Return False if there is none."""
         slot = self.take_warm(kind)
         if slot is None:
             return False
@@ -148,14 +154,14 @@ class SlotPool:
         return True
 
     def cancel_soak(self) -> None:
-        """Cut short the real seconds for which programs are watched."""
+        """End the real-time watch of the programs early."""
         with self._changed:
             at_work = [*self._at_work]
         for slot in at_work:
             slot.cancel_soak()
 
     def close(self) -> None:
-        """End all slots in parallel, and then the servers. Slots that are at work are killed."""
+        """End all slots in parallel, and then the servers. Kill the slots that are still judging."""
         if self._owner != os.getpid():  # in a forked process, these slots belong to the parent
             return
         with self._changed:
@@ -179,7 +185,7 @@ class SlotPool:
                 one.close()
 
     def _overdue(self) -> list[Slot | SlotServer]:
-        """Wait until a slot has been idle for too long. Return it, and the servers that have no slots left."""
+        """Wait until a slot has been idle for too long. Return that slot, and the servers that have no slots left."""
         assert self._idle_s is not None
         with self._changed:
             while not self._idle or self._idle[0].since + self._idle_s > time.monotonic():
@@ -194,7 +200,7 @@ class SlotPool:
 
 
 def slot_server(isolation: Isolation, own_criteria: Path | None = None) -> SlotServer | None:
-    """Return a new server that forks slots; None if forking is impossible or not worthwhile in this tier."""
+    """Start a server that forks slots. Return None if forking is impossible or not worthwhile in this tier."""
     if isolation not in FORKED:
         return None
     try:
@@ -219,11 +225,11 @@ def _file_of_turns() -> Path:
 
 @contextmanager
 def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: None) -> Iterator[None]:
-    """Wait until this user judges no other answer on this machine, if answers meet in this tier.
+    """Wait until this user judges no other answer on this machine, if answers could reach each other in this tier.
 
-    Such an answer could publish on another answer's domain, or lease all domains. The kernel ends a turn when its
-    process ends. Without a writable cache, turns apply only within this process. `show_place` receives the number of
-    turns ahead: all that wait in this process, plus at most one in another process.
+    The other answer could publish on this answer's domain, or lease all domains. The kernel ends a turn when the
+    process that holds it ends. Without a writable cache, turns apply only within this process. `show_place` is called
+    with the number of answers ahead: all those that wait in this process, plus at most one in another process.
     """
     if not meets_others(isolation):
         yield
@@ -302,7 +308,7 @@ def judge_with_retry(
 ) -> tuple[Slot | None, Judgement]:
     """Judge a job on `slot`, which was taken from the pool, or on a new one. Replace a broken slot once.
 
-    If both slots break on this answer, but a new one judges a correct answer, this answer is to blame. It's then
+    If both slots break on this answer, but a new slot judges a correct answer, this answer is to blame. It's then
     `ungradable`, with the reason `STOPPED_JUDGE`. Otherwise, the error is ours: return `infra_error` and no slot.
     """
     reason = ""
@@ -335,7 +341,7 @@ def judge_with_retry(
 
 
 def _slot_that_judges(stem: str, pool: SlotPool, kind: Kind) -> Slot | None:
-    """Return a new slot that has just judged the reference answer; None if that fails or there's no such answer."""
+    """Return a new slot that has just judged the reference answer; None if there's no such answer or it fails."""
     slot: Slot | None = None
     try:
         right = load_exercise(stem).source.solution_code

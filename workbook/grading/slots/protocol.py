@@ -1,7 +1,7 @@
 """Define the messages between a slot and its owner: lines of JSON.
 
-The owner sends a `JudgingOrder`. It sends ENOUGH to cut short the real seconds for which a judged program is watched.
-The slot's first line says that it's ready, or why it can't begin: `{"broken": "No ROS domain is free…"}`. If the slot
+The owner sends a `JudgingOrder` for each answer. To end the real-time watch of a judged program early, it sends ENOUGH.
+The slot's first line says that it's ready, or why it can't start: `{"broken": "No ROS domain is free…"}`. If the slot
 was asked to test its tier, that line also reports the tier's problem. Then, for each order, the slot sends any number
 of lines with progress or preliminary judgments. The order's last line has `"final": true`.
 """
@@ -19,11 +19,11 @@ from workbook.exercise.serialization import judgement_from_json, judgement_to_js
 Message = Mapping[str, Any]
 
 LONGEST_LINE = 200_000_000
-"""In bytes. A judgment includes its recording, for which a program may send 1 MB on each topic."""
+"""The most bytes in a line. A judgment includes its recording, for which a program may send 1 MB on each topic."""
 CHUNK_BYTES = 1 << 20
 ENOUGH: Message = {"cancel_soak": True}
 PLUMBING = "/driver/"
-"""The prefix of the topics with which a driver calls an answer's functions. Only the judge uses their messages."""
+"""The prefix of the topics through which a driver calls an answer's functions. Only the judge uses their messages."""
 
 
 class LineTooLong(ValueError):
@@ -48,9 +48,10 @@ class JudgingOrder:
 class Progress:
     """The progress of one answer's judgment.
 
-    `place`: how many other answers are judged first; 0 once it's being judged. `watched_s`: simulated time, or real
-    time on the wall clock. `messages`: the number received on each topic. `latest`: each topic's last message as plain
-    data; None if it's large. `types`: each topic's message type.
+    `place`: how many other answers are judged first; 0 once judging has begun. `watched_s`: how long the program has
+    been watched, in seconds of simulated time, or of real time on the wall clock. `messages`: the number received on
+    each topic. `latest`: each topic's last message as plain data; None if it's large. `types`: each topic's message
+    type.
     """
 
     place: int = 0
@@ -78,7 +79,7 @@ def line_of(message: Message | JudgingOrder) -> bytes:
 
 
 def progress_message(progress: Progress) -> Message:
-    """Return a slot's progress message. If JSON can't express the latest values, they're left out."""
+    """Return a slot's progress message. If JSON can't represent the latest messages, they're left out."""
     data = asdict(progress)
     try:
         json.dumps(data, allow_nan=False)
@@ -98,7 +99,7 @@ def error_message(reason: str) -> Message:
 
 
 def judgement_in(message: Message, stem: str, answer_sha256: str) -> Judgement:
-    """Return a message's judgment. If the slot had an error, return a judgment that says so."""
+    """Return a message's judgment. If the slot reported an error, return a judgment that says so."""
     if "error" in message:
         return Judgement(stem, answer_sha256, "infra_error", message["error"], (), None)
     return judgement_from_json(message["judgement"])
@@ -114,9 +115,9 @@ class LineReader:
         self._searched = 0
 
     def next(self, timeout_s: float) -> dict[str, Any] | None:
-        """Return the next message; None if it isn't complete after `timeout_s` s.
+        """Return the next message; None if it isn't complete after `timeout_s` seconds.
 
-        Raises EOFError at the end, LineTooLong, and ValueError for an invalid message.
+        Raises EOFError at the end of the stream, LineTooLong, and ValueError for an invalid message.
         """
         if (message := self._take()) is not None:
             return message

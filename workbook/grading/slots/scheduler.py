@@ -1,6 +1,6 @@
 """Judge many answers on this machine in parallel.
 
-An answer that only has to stay alive frees its place for the next one.
+A place is the right to judge one answer. A program that only has to stay alive frees its place for the next answer.
 
 After a program was judged in simulated time, it's started again and watched for a few real seconds. That's little work,
 so the next answer gets its place, and another slot judges it. With `fills`, more answers than places run while
@@ -26,24 +26,24 @@ from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
 WAITING_PER_PLACE = 8
-"""The number of slots per place whose answers only wait. They wait for 8 s, after about one second of work."""
+"""How many answers per place may be in their real-time watch. It takes 8 s, after about one second of work."""
 MORE_PER_PLACE = 2
-"""The number of answers per place that run only because processors were idle.
+"""How many additional answers per place may run while processors are idle.
 
-It's limited because a process in a container sees all processors, even if it may use only some of them.
+Their number is limited because a process in a container sees all processors, even if it may use only some of them.
 """
 SPARE_SHARE = 0.25
-"""The idle share of processor time below which one more answer would slow the others down."""
+"""The share of idle processor time that's needed to start one more answer without slowing the others down."""
 LOOK_S = 0.5
-"""How long (s) to measure the processors' idle time after starting one more answer."""
+"""How long to measure the processors' idle time after starting one more answer, in seconds."""
 SLOT_BYTES = 150_000_000
-"""The memory (bytes) of a slot with a program. Each of the two uses some 70 MB."""
+"""The memory that a slot and its program need, in bytes. Each of the two processes uses about 70 MB."""
 KEPT_FREE_BYTES = 1_000_000_000
-"""The memory (bytes) left to other processes. Below it, no slot is added beyond one for each place."""
+"""The memory to leave for other processes, in bytes. If less is available, each place has only one slot."""
 
 
 def fits_in_memory() -> bool:
-    """Return whether there's enough memory for one more slot."""
+    """Return whether there's enough memory for one more slot and its program."""
     return available_memory_bytes() > KEPT_FREE_BYTES + SLOT_BYTES
 
 
@@ -63,16 +63,16 @@ class LocalSlots:
 
 
 class IdleProcessors:
-    """Reports, from time to time, whether this machine's processors are partly idle."""
+    """Measures whether this machine's processors are partly idle."""
 
     def __init__(self) -> None:
         self._looked_at = -LOOK_S
         self._before: tuple[float, float] | None = None
 
     def __call__(self) -> bool:
-        """Return whether the processors were idle for at least SPARE_SHARE of the time since the last poll.
+        """Return whether the processors were idle for at least SPARE_SHARE of the time since the last measurement.
 
-        Polls at most every LOOK_S seconds, and returns False in between.
+        Measure at most every LOOK_S seconds, and return False in between.
         """
         if time.monotonic() - self._looked_at < LOOK_S:
             return False
@@ -86,8 +86,9 @@ class IdleProcessors:
 class WorkPermits:
     """Limits the work to `at_work` answers in parallel, each with a slot from the pool. Thread-safe.
 
-    `room`: whether one more slot may be started beyond the first `at_work`, given the current number of slots. `spare`:
-    polled to learn whether one more answer may run beyond `at_work`.
+    `warm`: returns a warm slot, or None. `room`: called with the current number of slots; returns whether one more slot
+    may be started beyond the first `at_work`. `spare`: polled to find out whether one more answer may run beyond
+    `at_work`.
     """
 
     def __init__(
@@ -105,7 +106,7 @@ class WorkPermits:
         self._changed = threading.Condition()
 
     def take(self) -> "Permit":
-        """Wait for a permit."""
+        """Wait for a permit, and return it."""
         with self._changed:
             while True:
                 if self._may_work():
@@ -122,7 +123,7 @@ class WorkPermits:
         return self._free > 0 or (self._spare is not None and self._spare())
 
     def change(self, *, free: int = 0, slots: int = 0) -> None:
-        """Add to the number of answers that may run, and to the number of slots."""
+        """Increase the number of free permits by `free`, and the number of slots by `slots`."""
         with self._changed:
             self._free += free
             self._slots += slots
@@ -130,7 +131,7 @@ class WorkPermits:
 
 
 class Permit:
-    """A permit to work with `slot`. If `slot` is None, use a new slot."""
+    """A permit to judge an answer on `slot`. If `slot` is None, use a new slot."""
 
     def __init__(self, permits: WorkPermits, slot: Slot | None) -> None:
         self.slot = slot
@@ -138,7 +139,7 @@ class Permit:
         self._is_held = True
 
     def end(self) -> None:
-        """Give the permit back. Calling it again has no effect."""
+        """Release the permit. Calling it again has no effect."""
         self._permits.change(free=int(self._is_held))
         self._is_held = False
 
@@ -154,7 +155,7 @@ class Permit:
     ) -> Judgement:
         """Judge a job, and give back the permit and the slot.
 
-        The permit ends once a final judgment is reported, because only real seconds of watching follow.
+        The permit is released as soon as the final judgment is reported, because only the real-time watch follows.
         """
         slot = self.slot
 
@@ -173,7 +174,10 @@ class Permit:
             self.give_back(slots, kind, slot)
 
     def give_back(self, slots: SlotPool, kind: Kind, slot: Slot | None) -> None:
-        """Keep the slot for the next answer, and end the permit. None: there's no longer a slot."""
+        """Keep the slot for the next answer, and release the permit.
+
+        Pass None if the slot no longer exists.
+        """
         if slot is None:
             self._permits.change(slots=-1)
         else:
@@ -192,9 +196,9 @@ def judge_all(
 ) -> Iterator[tuple[Job[Key], Judgement]]:
     """Judge many answers, `slots` of them in parallel. Yield each judgment as soon as it's ready.
 
-    With `fills`, more of them run while processors would otherwise be idle. In a tier where answers meet (see
-    `meets_others`), they're judged one at a time, regardless of `slots`. `stop` is called before each new answer, so an
-    interrupted run ends after the running answers.
+    With `fills`, more answers run while processors would otherwise be idle. In a tier where answers could reach each
+    other (see `meets_others`), they're judged one at a time, regardless of `slots`. `stop` is called before each new
+    answer. Once it returns True, the run ends as soon as the judgments in progress are finished.
     """
     run = _AnswersOfRun(list(jobs), max(1, slots), soak, isolation, stop, fills)
     threads = [
@@ -213,7 +217,10 @@ def judge_all(
 
 
 class _AnswersOfRun(Generic[Key]):
-    """The answers of one `judge_all` call. `done` receives each judgment, and None from each thread that ends."""
+    """The answers of one `judge_all` call.
+
+    `done`: the queue that receives each judgment, and None from each thread that ends.
+    """
 
     def __init__(
         self,
@@ -244,13 +251,17 @@ class _AnswersOfRun(Generic[Key]):
         self._server = self._pool.fork_from_now_on(self._kind) if len(jobs) > 1 else None
 
     def _has_room(self, present: int) -> bool:
-        """Return whether another slot is worthwhile. Starting one takes as long as judging an answer."""
+        """Return whether to start another slot when `present` slots exist.
+
+        It isn't worthwhile if few answers are waiting, because starting a slot takes as long as judging an answer.
+        """
         return self._waiting.qsize() >= present and fits_in_memory()
 
     def _has_spare(self) -> bool:
-        """Return whether there are spare processors.
+        """Return whether there are idle processors for one more answer.
 
-        While answers wait for the slots' server, return False, because they'll need the processors soon.
+        Return False until the slots' server has forked its first slot, because the waiting answers will need the
+        processors soon.
         """
         return (self._server is None or self._server.is_tried) and self._are_idle()
 
@@ -258,7 +269,7 @@ class _AnswersOfRun(Generic[Key]):
         return self._pool.take_warm(self._kind)
 
     def forget_the_rest(self) -> None:
-        """Drop the answers that haven't begun."""
+        """Drop the answers that haven't been started."""
         while self._next() is not None:
             pass
 
@@ -289,7 +300,7 @@ class _AnswersOfRun(Generic[Key]):
 
 
 def _prepare_for(stems: Iterable[str]) -> None:
-    """Let the type checker cache our packages before slots start, because the slots can't write to its cache."""
+    """Have the type checker cache our packages before slots start, because the slots can't write to its cache."""
     if any(_is_type_checked(stem) for stem in stems):
         with contextlib.suppress(TypeCheckFailed):  # judging will report the failure
             warm_cache()

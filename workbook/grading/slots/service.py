@@ -1,11 +1,12 @@
-"""Run a service that judges a whole class's answers on a fixed number of slots, in turns between students.
+"""Run a service that judges a whole class's answers on a fixed number of slots. Students take turns.
 
     python -m workbook.grading.slots.service FOLDER --slots N
 
-Once a program is only watched in real time, its student has the card, and the next answer gets the slot's place.
+When only the real-time watch of a program remains, the student already has the feedback, so the next answer gets the
+place.
 
 The service listens at the Unix socket FOLDER/socket. Each connection sends one `JudgingOrder`. It receives the lines
-that a slot sends (see `protocol`) and its place in the queue. The kernel identifies the student by the user id of the
+that a slot sends (see `protocol`) and its place in the queue. The kernel identifies the student by the user ID of the
 connected process.
 """
 
@@ -47,9 +48,9 @@ ADDRESS = "WORKBOOK_CHECK_SERVICE"
 """The environment variable that gives a kernel the socket's path. If it isn't set, the kernel has its own slot."""
 SOCKET = "socket"
 LONGEST_ORDER = 1_000_000
-"""In bytes. An answer is a program that a person wrote."""
+"""The most bytes in an order. An answer is a program that a person wrote, so it's short."""
 LONGEST_SILENCE_S = 10.0
-"""In seconds. A client has its order ready when it connects."""
+"""How long a client may take to send its order, in seconds. Clients prepare the order before they connect."""
 MOST_CONNECTIONS = 16
 MOST_WAITING = 4
 """The most answers that one student may have waiting."""
@@ -62,7 +63,7 @@ class TooMany(RuntimeError):
 
 
 class FairQueue(Generic[Item]):
-    """A queue in which owners take turns, so an owner with many items delays no other owner.
+    """A queue in which owners take turns, so an owner with many items doesn't delay the other owners.
 
     Thread-safe.
     """
@@ -73,7 +74,7 @@ class FairQueue(Generic[Item]):
         self._changed = threading.Condition()
 
     def put(self, owner: Hashable, item: Item) -> None:
-        """Add an item behind its owner's other items. Raises TooMany."""
+        """Add an item behind its owner's other items. Raises TooMany if the owner has too many items in the queue."""
         with self._changed:
             own = self._waiting.setdefault(owner, deque())
             if len(own) >= self._most:
@@ -82,7 +83,7 @@ class FairQueue(Generic[Item]):
             self._changed.notify()
 
     def take(self) -> Item:
-        """Wait for the next item and return it. Its owner goes to the end of the line."""
+        """Wait for the next item and return it. Its owner goes to the end of the queue."""
         with self._changed:
             while not self._waiting:
                 self._changed.wait()
@@ -103,7 +104,7 @@ class FairQueue(Generic[Item]):
                         del self._waiting[owner]
 
     def in_order(self) -> list[Item]:
-        """Return all items in the order in which they'll be taken if no item is added."""
+        """Return all items in the order in which `take` will return them if no item is added."""
         with self._changed:
             rounds = max(map(len, self._waiting.values()), default=0)
             return [own[turn] for turn in range(rounds) for own in self._waiting.values() if turn < len(own)]
@@ -119,7 +120,7 @@ class _Request:
     _one_at_a_time: threading.Lock = field(default_factory=threading.Lock)
 
     def send(self, message: Message) -> None:
-        """Send a line. A client that has disconnected or doesn't read gets no more lines."""
+        """Send a message as a line. A client that has disconnected or doesn't read gets no more messages."""
         with self._one_at_a_time:
             if not self._is_gone:
                 try:
@@ -128,14 +129,14 @@ class _Request:
                     self._is_gone = True
 
     def show_place(self, place: int) -> None:
-        """Send the place in the queue if it has changed."""
+        """Send the answer's place in the queue if it has changed."""
         if place != self.place:
             self.place = place
             self.send(progress_message(Progress(place)))
 
 
 def user_of(connection: socket.socket) -> int:
-    """Return the user id of the process at the other end of a Unix socket."""
+    """Return the user ID of the process at the other end of a Unix socket."""
     credentials = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
     return int(struct.unpack("3i", credentials)[1])
 
@@ -228,7 +229,7 @@ class CheckService:
             self._end(request.connection, request.owner)
 
     def _last_line(self, permit: Permit, request: _Request) -> Message:
-        """Judge an answer, and send all lines but the last one, which is returned."""
+        """Judge an answer, and send all messages about it except the last one, which is returned."""
         try:
             judgement = permit.judge(
                 self.pool,
@@ -263,7 +264,7 @@ def read_order(connection: socket.socket) -> JudgingOrder:
 def judge_there(
     path: str, stem: str, answer: Answer, report: Report, progress: ShowProgress | None = None
 ) -> Judgement:
-    """Let the service at `path` judge an answer. Report its place in the queue to `progress`."""
+    """Have the service at `path` judge an answer. Pass its progress, such as its place in the queue, to `progress`."""
     try:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
             connection.connect(path)

@@ -1,8 +1,8 @@
-"""Run a process that judges one answer after another with a warm observer. `protocol` describes its messages.
+"""Run a process that judges one answer after another, and keeps its observer ready in between.
 
     python -m workbook.grading.slots.worker TIER [--user ID] [--groups FOLDER] [--try PORT]
 
-It reads orders from standard input, and writes judgments to standard output.
+It reads orders from standard input, and writes judgments to standard output. `protocol` describes these messages.
 """
 
 import argparse
@@ -52,14 +52,17 @@ TOPICS_SHOWN = 8
 
 
 def _private_output() -> BinaryIO:
-    """Reserve standard output for judgments by redirecting all other output to standard error."""
+    """Reserve standard output for judgments by redirecting all other output to standard error.
+
+    Return the stream for judgments.
+    """
     channel = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     return channel
 
 
 def _end_on_sigterm(*_: object) -> None:
-    """Exit in an orderly way, and only once. A dying owner sends the signal again for each of its threads."""
+    """Exit in an orderly way, and only once: a dying owner sends the signal again for each of its threads."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise SystemExit(0)
 
@@ -95,11 +98,11 @@ def serve(
     groups: Path | None = None,
     servers: Sequence[ForkServer] = (),
 ) -> None:
-    """Judge jobs until standard input is closed. With "uid", the programs run under `ids`, leased by the caller.
+    """Judge jobs until standard input is closed.
 
-    `port`: the port of a listener on this machine; if it's given, the tier is tested first. `groups`: the folder for
-    memory cgroups, leased by the caller. `servers`: the two servers that fork a sandbox's programs; if there are none,
-    start one.
+    `ids`: the user IDs under which programs run in the "uid" tier, leased by the caller. `port`: the port of a listener
+    on this machine; if it's given, the tier is tested first. `groups`: the folder for memory cgroups, leased by the
+    caller. `servers`: the two servers that fork a sandbox's programs; if there are none, start one.
     """
     channel = _private_output()
     adopt_orphans()
@@ -154,7 +157,7 @@ class _ProgressSender:
 
 
 def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Callable[[], bool]) -> Message:
-    """Judge one answer, and end its leftover processes. Return the last line: the judgment or an error.
+    """Judge one answer, and end its leftover processes. Return the last message: the judgment or an error.
 
     Raises ServerGone. The caller must then replace this slot, and judge the answer on another one.
     """
@@ -180,7 +183,7 @@ def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Call
 
 
 def warm_up(isolation: Isolation, server: ForkServer) -> None:
-    """Prepare to fork programs: in a sandbox from `server`, in other tiers from this process's own fork server.
+    """Start the server that forks programs: `server` in the "sandbox" tier, otherwise this process's own server.
 
     A sandbox has its own network, so it leases domains independently of other processes.
     """
