@@ -1,7 +1,7 @@
-"""Judge answers: criteria, their points, and the vocabulary for writing them.
+"""Judge answers by criteria, which have points. Functions for writing criteria are called the vocabulary.
 
-A criteria file imports only this package, as `see`, and message types. It runs without rclpy. Importing the package
-raises CatalogError if a catalog has an entry that no cause in the vocabulary uses.
+A criteria file imports only this package, as `see`, and message types, so it runs without rclpy. Importing the package
+raises CatalogError if a catalog of the vocabulary has an entry that no cause uses.
 """
 
 import sys

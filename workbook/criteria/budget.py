@@ -1,8 +1,8 @@
-"""Give criteria a time budget in any thread, and interrupt work that exceeds it.
+"""Run criteria with a time budget, in any thread, and interrupt work that exceeds the budget.
 
-The work runs in a separate thread, which an exception interrupts between two Python instructions. A single call that
-stays inside C code, such as a regular expression search, has to finish first. In a slot, even such a call ends at the
-answer's deadline: the slot is killed, and the answer gets an `infra_error`.
+The work runs in a separate thread, which an exception interrupts between two Python instructions. A call that stays
+inside C code, such as a regular expression search, has to finish first. In a grading slot, even such a call ends at the
+answer's deadline, because the slot is killed and the answer gets an `infra_error`.
 """
 
 import ctypes
@@ -12,9 +12,9 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 BUDGET_S = 5.0
-"""CPU time (s) for one recording, shared by all criteria. A busy machine doesn't use any of it up."""
+"""CPU time (s) that all criteria together may use for one recording. Waiting on a busy machine doesn't count."""
 PATIENCE_S = 60.0
-"""Wall-clock time (s) for the same work. It also stops work that waits instead of computing."""
+"""Wall-clock time (s) for the same work. This limit also stops work that waits instead of computing."""
 GRACE_S = 1.0
 """Wall-clock time (s) for interrupted work to finish. Work that stays inside C code for longer is abandoned."""
 SHORTEST_WAIT_S = 0.01
@@ -27,11 +27,11 @@ class OutOfTime(RuntimeError):
 
 
 class _Interrupted(BaseException):
-    """Interrupts work. Not an Exception, so that no `except Exception` in that work catches it."""
+    """Interrupts work. It isn't an Exception, so that no `except Exception` in the work catches it."""
 
 
 class _Worker(threading.Thread, Generic[Made]):
-    """A thread for one piece of work. It stays alive until it's released, so that its id isn't reused before then."""
+    """A thread that runs one function. It stays alive until it's released, so that its ID isn't reused before then."""
 
     made: Made
 
@@ -44,7 +44,7 @@ class _Worker(threading.Thread, Generic[Made]):
         self.done, self.released = threading.Event(), threading.Event()
 
     def run(self) -> None:
-        """Do the work, and store its result or its exception."""
+        """Run the function, and store its result or its exception."""
         try:
             self._clock = time.pthread_getcpuclockid(threading.get_ident())
             if self._is_called_off:
@@ -55,7 +55,7 @@ class _Worker(threading.Thread, Generic[Made]):
                 self.error = error
             self.done.set()
             self.released.wait()
-        except _Interrupted:  # it arrived just after the work had finished
+        except _Interrupted:  # the interrupt arrived just after the work had finished
             pass
 
     def used_s(self) -> float:
@@ -63,7 +63,7 @@ class _Worker(threading.Thread, Generic[Made]):
         return 0.0 if self._clock is None else time.clock_gettime(self._clock)
 
     def interrupt(self) -> None:
-        """Raise an exception in the thread. Call this at most once, and before the thread is released."""
+        """Raise `_Interrupted` in the thread. Call this at most once, and before the thread is released."""
         self._is_called_off = True
         if self.ident is not None:  # otherwise, the thread hasn't started, and won't do any work
             raise_in = ctypes.pythonapi.PyThreadState_SetAsyncExc
@@ -75,7 +75,7 @@ def within_budget(
 ) -> Made:
     """Run `work`, and return its result or raise its exception.
 
-    Raises OutOfTime if it takes more than `budget_s` of CPU time or more than `patience_s` of wall-clock time.
+    Raises OutOfTime if it takes more than `budget_s` seconds of CPU time or `patience_s` seconds of wall-clock time.
     """
     worker = _Worker(work)
     deadline = time.monotonic() + patience_s

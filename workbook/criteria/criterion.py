@@ -1,4 +1,4 @@
-"""Define criteria: judged statements about a recording, with points."""
+"""Define criteria, which are judged statements about a recording, along with the topics and the watch they need."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -21,7 +21,7 @@ Draw = Callable[[Random], Sequence[Part]]
 class Criterion:
     """A judged statement about a recording. It's skipped unless every criterion in `needs` passes.
 
-    `about_end`: it judges how the program ends, not how it behaves until then.
+    `about_end`: whether it judges how the program ends, instead of how the program behaves until then.
     """
 
     id: str
@@ -49,8 +49,9 @@ def criterion(
 ) -> Callable[[CriterionFunction], Criterion]:
     """Turn a function that takes a recording and returns a verdict into a criterion.
 
-    `points` may be 0 for a condition that only other criteria need. `about_end`: it judges how the program ends, which
-    a bug in rclpy or Python may spoil. Raises ValueError for negative points or an empty title.
+    `points` may be 0 for a condition that only other criteria need. `about_end`: whether it judges how the program
+    ends. A bug in rclpy or Python may spoil the end of a correct program. Raises ValueError if the points are negative
+    or the title is empty.
     """
     if points < 0:
         raise ValueError(f"points are never negative: {points}")
@@ -67,7 +68,7 @@ def criterion(
 class Topic:
     """A topic that an exercise requires: its name, message type, and rate in Hz (None if no rate is judged).
 
-    `features` and `signed`: see `topic`.
+    See the function `topic` for `features` and `signed`.
     """
 
     name: str
@@ -109,16 +110,16 @@ def topic(
     `{"length": n, "sha256": "...", "first": [...], "features": the returned facts}`. The facts are None if the function
     raised an exception.
 
-    `signed`: the driver publishes the topic and signs each message. Criteria see only signed messages.
+    `signed`: whether the driver publishes this topic. It signs each message, and criteria see only signed messages.
     """
     return Topic(name, type_name(message_class), hz, features or {}, signed)
 
 
 @dataclass(frozen=True)
 class Watching:
-    """How an exercise is recorded, as far as it differs from the defaults.
+    """The settings for recording an exercise (see the function `watching`).
 
-    `script`: a fixed script, or a function that draws one for each run.
+    `script`: a fixed script, or a function that draws a new script for each run.
     """
 
     simulated_seconds: float | None = None
@@ -144,19 +145,19 @@ def watching(
     bytes_per_topic: int = BYTES_PER_TOPIC,
     steps_per_period: int = STEPS_PER_PERIOD,
 ) -> Watching:
-    """Declare how to watch, once per criteria file.
+    """Declare how the judge watches the program, once per criteria file.
 
     `simulated_seconds`: the simulated time to watch; by default, nine times the longest period. `wall_seconds`: the
     real time to watch on the wall clock; by default, four times the longest period. `to_the_end`: send the program
-    Ctrl-C (SIGINT) before judging it. Criteria then see how it ends, and which of its nodes stay on the graph.
+    Ctrl-C (SIGINT) before judging it. Criteria then see how it ends, and which of its nodes stay in the graph.
 
     `script`: the messages, services, and calls that the judge sends to the program, made with `publish`, `serves`, and
     `calls`. A program could respond to a fixed script from a table. To prevent that, `script` may be a function that
-    takes a `random.Random` and draws new parts for each run. Every draw must contain everything that the criteria need,
-    and the criteria must judge by the recording (`published`, `calls`).
+    takes a `random.Random` and draws new parts for each run. Every draw must contain everything that the criteria need.
+    The criteria must then compare with the script as recorded (`published`, `calls`).
 
-    `bytes_per_topic`: how many bytes of messages are kept per topic, not counting the judge's own. A field with more
-    than 4096 elements is cut to its beginning, its size, and its SHA-256, so it hardly counts toward this limit.
+    `bytes_per_topic`: how many bytes of messages are kept per topic, not counting the judge's messages. A field with
+    more than 4096 elements is cut to its beginning, its size, and its SHA-256, so it hardly counts toward this limit.
     `steps_per_period`: the number of steps of simulated time per shortest judged period. Each step takes about two
     milliseconds, so fewer steps speed up a long watch of a fast topic.
     """
@@ -186,9 +187,9 @@ def topics_in(module: ModuleType) -> tuple[Topic, ...]:
 
 
 def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
-    """Return the plan for watching these topics: how finely, and for how long.
+    """Return the plan for watching these topics, with the step of simulated time and the duration of the watch.
 
-    A script that is drawn for each run isn't included: see `Watching.drawn`.
+    The plan doesn't include a script that is drawn for each run, which `Watching.drawn` adds.
     """
     declared = tuple(topics)
     periods = [one.period for one in declared if one.hz is not None] or [1.0]

@@ -2,17 +2,18 @@
 
 A criterion has three separate parts:
 
-- **Facts**: the events, in the terms of one exercise. They are a class whose `__init__` computes them from a recording,
-  from top to bottom. If some are expensive and seldom needed, use a frozen dataclass with `cached_property`.
-- **Rules**: an ordered table of causes, each an id and a predicate over the facts. The first match is the cause.
-- **Words**: `name.toml` next to `name.py`. `[in-order.late]` contains `saw`, `expected`, `because`, and `try` for the
-  cause "in-order.late"; missing parts are taken from `[in-order]`. `{name}` is filled in from the facts, and
-  `{lost:n}` is the length of `lost`. `{lost|is|are}` chooses the singular or the plural. `{texts.name}` is a text from
-  `[texts]`, which several causes may share. `{AT_ONCE_S}` and `{LEAST_SHARE:.0%}` are constants of the module, if it
-  passes them: `Words(__file__, globals())`.
+- **Facts**: the events, described in the exercise's own terms. They are the attributes of a class whose `__init__`
+  computes them from a recording, from top to bottom. If some facts are expensive and seldom needed, use a frozen
+  dataclass with `cached_property`.
+- **Rules**: an ordered table of causes, each with an id and a predicate over the facts. The first match is the cause.
+- **Words**: a catalog, the file `name.toml` next to `name.py`. `[in-order.late]` contains `saw`, `expected`, `because`,
+  and `try` for the cause "in-order.late"; missing parts are taken from `[in-order]`. `{name}` is filled in from the
+  facts, and `{lost:n}` is the length of `lost`. `{lost|is|are}` chooses the singular or the plural. `{texts.name}` is a
+  text from `[texts]`, which several causes may share. `{AT_ONCE_S}` and `{LEAST_SHARE:.0%}` are constants of the
+  module, if it passes them: `Words(__file__, globals())`.
 
-Importing a module raises CatalogError for a cause without words, for words without a cause, and for a placeholder that
-the facts don't have.
+Importing a module raises CatalogError if a cause has no words, if words have no cause, or if a placeholder isn't a
+fact.
 """
 
 import re
@@ -35,19 +36,22 @@ SEEN, REASON = PARTS[:2], PARTS[2:]
 TEXTS = "texts"
 F = TypeVar("F")
 Given = type | Collection[str]
-"""Where placeholders come from: a class of facts, or the names of keyword arguments."""
+"""The source of a text's placeholders: a class of facts, or the names of keyword arguments."""
 Blame = Callable[[Recording, str, str], Verdict | None]
-"""A function that looks for a cause, such as the error that ended the program, given `saw` and `expected`."""
+"""A function that looks for a cause in a recording, such as an error that ended the program.
+
+It takes the recording and the texts `saw` and `expected`, and returns a failed verdict, or None if it finds no cause.
+"""
 Rule = tuple[str, Callable[[F], object]] | tuple[str, Callable[[F], object], Blame]
-"""A cause and the predicate that selects it, optionally with a function that looks for another cause first."""
+"""A cause and the predicate that selects it. An optional third element looks for another cause first."""
 
 
 class CatalogError(ValueError):
-    """A module's words don't match its causes. The message names the file and the entry."""
+    """A module's catalog doesn't match its causes. The message names the file and the entry."""
 
 
 class _Filler(Formatter):
-    """Fills in placeholders. Floats are written without an exponent, and several names become an English list.
+    """Fills in placeholders. Floats are written without an exponent, and a list of names becomes an English list.
 
     `{lost:n}` is the length of `lost`, and `{lost|is|are}` chooses the singular or the plural.
     """
@@ -75,7 +79,7 @@ _CONSTANT = re.compile(r"(?<!\{)\{([A-Z][A-Z0-9_]*)(?::([^}]*))?\}(?!\})")
 
 
 class _OfFacts(Mapping[str, Any]):
-    """An object's attributes as a mapping, because placeholders are looked up by name."""
+    """A mapping from an object's attribute names to their values, in which placeholders are looked up."""
 
     def __init__(self, facts: object) -> None:
         self._facts = facts
@@ -115,7 +119,7 @@ def _filled_in(
 
 @dataclass(frozen=True)
 class Cause:
-    """A cause with its words and the flags of its verdict (see `Verdict`). A `share` above 0 gives partial credit."""
+    """A cause: its words, and the flags of its verdict (see `Verdict`). A `share` above 0 gives partial credit."""
 
     id: str
     words: Mapping[str, str]
@@ -124,7 +128,10 @@ class Cause:
     share: float = 0.0
 
     def verdict(self, facts: object = None, *, about_time: bool | None = None, **given: Any) -> Verdict:
-        """Fill in the words from facts or keyword arguments. `about_time`, if given, overrides the cause's own flag."""
+        """Return a verdict with the words filled in from facts or keyword arguments.
+
+        `about_time`, if given, overrides the cause's own flag.
+        """
         told = _filled_in(self.words, PARTS, facts, given)
         timed = self.about_time if about_time is None else about_time
         if self.share:
@@ -134,19 +141,28 @@ class Cause:
 
 @dataclass(frozen=True)
 class Observation:
-    """The words for "saw" and "expected" if the vocabulary finds the cause, such as an error that ended the program."""
+    """The words for `saw` and `expected`, without a cause.
+
+    They go to a function that finds the cause, such as an error that ended the program.
+    """
 
     words: Mapping[str, str]
 
     def __call__(self, facts: object = None, **given: Any) -> tuple[str, str]:
-        """Fill in the words from facts or keyword arguments: `see.ended_by_error(recording, *NOTHING(facts))`."""
+        """Return `saw` and `expected`, filled in from facts or keyword arguments.
+
+        For example: `see.ended_by_error(recording, *NOTHING(facts))`.
+        """
         saw, expected = _filled_in(self.words, SEEN, facts, given)
         return saw, expected
 
 
 @dataclass(frozen=True)
 class Blamed:
-    """A row that first looks for a cause in the vocabulary, such as an error. `cause` is the fallback, if any."""
+    """A row for which `blame` first looks for a cause, such as an error. If it finds none, `cause` is the fallback.
+
+    If `cause` is None, too, the row has no verdict.
+    """
 
     id: str
     words: Mapping[str, str]
@@ -154,38 +170,41 @@ class Blamed:
     cause: Cause | None
 
     def verdict(self, facts: Any) -> Verdict | None:
-        """Return the verdict that `blame` finds in the recording, or else the fallback cause's verdict, if any."""
+        """Return the verdict from `blame`, or else the fallback cause's verdict; None if there is neither."""
         found = self.blame(facts.recording, *_filled_in(self.words, SEEN, facts, {}))
         return found or (self.cause.verdict(facts) if self.cause else None)
 
 
 @dataclass(frozen=True)
 class Reason:
-    """The reason and the next step for an error that a table recognizes. Another rule reports the facts."""
+    """The words for `because` and `try`, for an error that a table recognizes.
+
+    The words for `saw` and `expected` come from another rule.
+    """
 
     id: str
     words: Mapping[str, str]
 
     def __call__(self, facts: object = None, **given: Any) -> tuple[str, str]:
-        """Fill in `because` and `try` from facts or keyword arguments."""
+        """Return `because` and `try`, filled in from facts or keyword arguments."""
         because, try_this = _filled_in(self.words, REASON, facts, given)
         return because, try_this
 
 
 def otherwise(facts: object) -> bool:
-    """Match any facts: for the last rule of a table."""
+    """Return True for any facts. Use it in the last rule of a table."""
     return True
 
 
 @dataclass(frozen=True)
 class Rules(Generic[F]):
-    """An ordered table of causes, each with its predicate. `when`: the condition for the whole table."""
+    """An ordered table of causes, each with its predicate. If `when` is false for the facts, no cause matches."""
 
     table: tuple[tuple[Cause | Blamed, Callable[[F], object]], ...]
     when: Callable[[F], object] = otherwise
 
     def first(self, facts: F) -> Verdict | None:
-        """Return the verdict of the first cause that matches the facts; None if none does."""
+        """Return the verdict of the first cause that matches the facts; None if no cause does."""
         if not self.when(facts):
             return None
         found = (cause.verdict(facts) for cause, fits in self.table if fits(facts))
@@ -194,7 +213,7 @@ class Rules(Generic[F]):
     def verdict(self, facts: F) -> Verdict:
         """Return the same verdict as `first`, for a table in which a cause always matches.
 
-        Raises LookupError if none does.
+        Raises LookupError if no cause matches.
         """
         found = self.first(facts)
         if found is None:
@@ -218,7 +237,7 @@ class Words:
 
     @cached_property
     def entries(self) -> dict[str, dict[str, str]]:
-        """All entries by name, with the parts from their sections and from `[texts]` filled in."""
+        """All entries by name, with the parts that they share through their section or `[texts]` filled in."""
         sections = tomllib.loads(self.path.read_text(encoding="utf-8"))
         shared = {f"{{{TEXTS}.{name}}}": text for name, text in sections.pop(TEXTS, {}).items()}
 
@@ -247,21 +266,21 @@ class Words:
         recheck_fields: bool = False,
         share: float = 0.0,
     ) -> Cause:
-        """Declare one cause. `given`: a class of facts, or the names of the keyword arguments of its verdicts.
+        """Declare one cause. `given`: a class of facts, or the names of the keyword arguments for its verdicts.
 
-        Raises CatalogError for a cause without words, or for a placeholder that isn't in `given`.
+        Raises CatalogError if the catalog has no words for the cause, or if a placeholder isn't in `given`.
         """
         return Cause(cause, self._checked(cause, PARTS, given), about_time, recheck_fields, share)
 
     def seen(self, name: str, given: Given) -> Observation:
-        """Declare the seen and expected parts under a name such as "in-order.by-error"; another rule finds the cause.
+        """Declare the words for `saw` and `expected`, under a name such as "in-order.by-error".
 
-        The entry contains only `saw` and `expected`. Raises CatalogError like `cause`.
+        The catalog entry contains only these two parts; another rule finds the cause. Raises CatalogError like `cause`.
         """
         return Observation(self._checked(name, SEEN, given))
 
     def reason(self, name: str, given: Given = ()) -> Reason:
-        """Declare a reason and a next step. The entry contains only `because` and `try`.
+        """Declare a reason and a next step. The catalog entry contains only `because` and `try`.
 
         Raises CatalogError like `cause`.
         """
@@ -279,10 +298,11 @@ class Words:
     ) -> Rules[F]:
         """Declare a table of causes. Each row has the cause's id without `word`, and a predicate over the facts.
 
-        A third element, such as `see.program_ended`, looks for a cause in the facts' recording; that cause takes
-        precedence. If it finds none, and the rule's entry has only `saw` and `expected`, the next rules are tried.
-        `when`: the condition for the whole table. `about_time` and `recheck_fields`: True for all causes with a catalog
-        entry, or the reasons of some. Raises CatalogError like `cause`.
+        An optional third element, such as `see.program_ended`, looks for a cause in the facts' recording, and that
+        cause takes precedence. If it finds none, and the row's catalog entry has only `saw` and `expected`, the next
+        rows are tried. `when`: a condition over the facts for the whole table. `about_time` and `recheck_fields`: True
+        to set the flag for every cause that has a catalog entry, or the reasons (ids without `word`) of some causes.
+        Raises CatalogError like `cause`.
         """
 
         def of(reason: str, which: bool | Collection[str]) -> bool:
@@ -324,7 +344,7 @@ class Words:
         return _FILLER.format_field(self._constants[name], how)
 
     def _known(self, given: Given) -> set[str]:
-        """Return the names that placeholders may use. A class is inspected only once, since many causes share it."""
+        """Return the names that placeholders may use. A class is inspected only once, because many causes share it."""
         if not isinstance(given, type):
             return set(given)
         if given not in self._names_of:
@@ -336,14 +356,14 @@ class Words:
         return {name for name, entry in self.entries.items() if "because" in entry}
 
     def refuse_leftovers(self) -> None:
-        """Raise CatalogError for words without a declared cause."""
+        """Raise CatalogError if the catalog has an entry that no declared cause uses."""
         left = sorted(self.entries.keys() - self._used)
         if left:
             raise CatalogError(f"{self.path}: no cause in the module uses the words of {listing(left)}")
 
 
 def placeholders(text: str) -> set[str]:
-    """Return the name that each placeholder in a text begins with."""
+    """Return the names with which the placeholders in a text begin, such as "lost" for `{lost:n}`."""
     return {
         name.split("|")[0].split(".")[0].split("[")[0]
         for _, name, _, _ in Formatter().parse(text)
@@ -352,7 +372,7 @@ def placeholders(text: str) -> set[str]:
 
 
 def refuse_leftovers(module: ModuleType) -> None:
-    """Raise CatalogError if a catalog that a module opened has words that none of the module's causes uses."""
+    """Raise CatalogError if a module's catalog has an entry that none of the module's causes uses."""
     for value in vars(module).values():
         if isinstance(value, Words):
             value.refuse_leftovers()

@@ -1,4 +1,4 @@
-"""Run criteria on a recording: passed, failed, partial, or skipped. A bug of ours never costs a student points."""
+"""Run criteria on a recording. If a criterion crashes, the whole judgment fails, so our bugs cost no student points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ Status = Literal["passed", "failed", "partial", "skipped"]
 
 
 class CriterionError(RuntimeError):
-    """A criterion itself crashed. The answer can't be judged, and the fault is the criterion's."""
+    """A criterion is at fault, so the answer can't be judged: it crashed, took too long, or returned no verdict."""
 
 
 @dataclass(frozen=True)
@@ -56,9 +56,9 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
 
 
 def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
-    """Return the result with its texts sanitized.
+    """Return a criterion's result, with sanitized texts.
 
-    They quote the program's output, which must not act as commands in a terminal or on a page.
+    The texts may quote the program's output, which must not act as commands in a terminal or on a page.
     """
     return CriterionResult(
         id=criterion.id,
@@ -108,7 +108,7 @@ def run_criteria(
 
 
 def _verdict(criterion: Criterion, recording: Recording) -> Verdict:
-    """Return a criterion's verdict. Raises CriterionError if it crashes or returns something else."""
+    """Return a criterion's verdict. Raises CriterionError if the criterion crashes or returns anything else."""
     try:
         verdict = criterion(recording)
     except (Exception, SystemExit) as error:

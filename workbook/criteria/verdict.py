@@ -1,14 +1,14 @@
-"""The outcome of one criterion: words that a student can act on, and a cause id that stays fixed when the words change.
+"""Define verdicts: each has words that a student can act on, and a cause id that stays fixed when the words change.
 
 Every verdict that isn't a pass names its cause first: `failed("rate.too-fast", saw, expected, because, try_this)`.
 
-- An id is `word.reason`, both in kebab-case. In the vocabulary, the word is the judging function ("rate",
-  "program-runs"); in an exercise, it's the criterion ("results-told.late").
+- An id has the form `word.reason`, with both parts in kebab-case. In the vocabulary, the word names the judging
+  function ("rate", "program-runs"). In an exercise, it names the criterion ("results-told.late").
 - An id appears exactly once in a file: as the heading of its catalog entry (see `workbook.criteria.rules`), or as a
   literal before its words. Two likely causes need two ids: if `because` differs, so does the id.
-- A verdict from the vocabulary keeps its id when an exercise passes it on.
+- A verdict from the vocabulary keeps its id when an exercise's criterion returns it.
 
-Each wrong answer in the tests names the id that it must get.
+In the tests, each wrong answer names the id that it must get.
 """
 
 import re
@@ -28,10 +28,10 @@ class Verdict:
     `saw` and `expected` are facts, `because` is the likely reason, and `try_this` is one next step. `cause` is the
     reason's id. `share` is the earned part of the points (0 to 1).
 
-    `about_time` marks failures that depend on rates and silences. If such a failure occurs on simulated time, it counts
-    only after the program is judged on the wall clock. The exception is a topic named by `pace_of` that provably
-    follows simulated time. `recheck_fields` marks values that suggest a wrong type in a message field. The program then
-    runs once more with field checks on, to quote their error.
+    `about_time` marks failures that depend on rates and silences. If such a failure occurs on simulated time, the
+    program is judged again on the wall clock before the failure counts. The exception is a failure about the topic
+    `pace_of`, if that topic provably follows simulated time. `recheck_fields` marks values that suggest a wrong type in
+    a message field. The program then runs once more with field checks on, so that the feedback can quote their error.
 
     Raises ValueError if a verdict deducts points but its cause isn't a valid id.
     """
@@ -58,7 +58,7 @@ class Verdict:
 
 
 def passed(saw: str) -> Verdict:
-    """Pass the criterion. `saw` describes the observation, with the student's own numbers."""
+    """Return a verdict that passes the criterion. `saw` describes the observation, with the student's own numbers."""
     return Verdict("passed", saw, share=1.0)
 
 
@@ -72,7 +72,7 @@ def failed(
     about_time: bool = False,
     recheck_fields: bool = False,
 ) -> Verdict:
-    """Fail the criterion, for the reason with the id `cause`."""
+    """Return a verdict that fails the criterion. `cause` is the id of the reason."""
     return Verdict(
         "failed",
         saw,
@@ -95,7 +95,7 @@ def partial(
     *,
     about_time: bool = False,
 ) -> Verdict:
-    """Pass part of the criterion. `cause`: why the rest isn't met.
+    """Return a verdict that earns a share of the criterion's points. `cause` is the id of why the rest isn't earned.
 
     Raises ValueError if `share` isn't strictly between 0 and 1.
     """
@@ -107,12 +107,12 @@ def partial(
 
 
 def not_judged(why: str) -> Verdict:
-    """Skip the criterion, because another one that it depends on has failed. `why`: the missing observation."""
+    """Return a verdict that skips the criterion. `why` is a clause such as "no message arrived"."""
     return Verdict("skipped", f"not judged, because {why}")
 
 
 def all_of(*verdicts: Verdict) -> Verdict:
-    """Pass if all verdicts pass, and list what each saw. Otherwise, return the first other verdict, as a failure."""
+    """Return a pass that lists what each verdict saw, or else the first verdict that isn't a pass, as a failure."""
     for verdict in verdicts:
         if not verdict.ok:
             return replace(verdict, status="failed", share=0.0)

@@ -12,7 +12,7 @@ from workbook.scenes.pinhole import Pinhole
 from workbook.scenes.tabletop import Thing, tabletop, things_in
 
 SEED_HELD_BACK = 1616
-"""A different seed than in training, so that no image is in both sets."""
+"""A different seed than in training, so that no image is used for both training and testing."""
 IMAGES_HELD_BACK = 400
 CLEARLY_VISIBLE = 0.6
 BARELY_VISIBLE = 0.25
@@ -23,9 +23,10 @@ SAME_PLACE = 0.5
 
 @dataclass(frozen=True)
 class Accuracy:
-    """`right`: the number of correct detections, divided by the sum of correct, missed, and false ones.
+    """A detector's accuracy on a set of images.
 
-    `found`: the share of objects found. `false`: detections per image that match no object.
+    `right`: the number of correct detections, divided by the sum of correct, missed, and false detections. `found`: the
+    share of objects that were detected. `false`: the number of detections per image that match no object.
     """
 
     right: float
@@ -38,7 +39,7 @@ class Accuracy:
 
 
 def held_back(number: int) -> Picture:
-    """Return a held-back image, RGB, as used by `accuracy`."""
+    """Return one of the RGB images on which `accuracy` tests a detector."""
     return DeskCamera(PINHOLE, SEED_HELD_BACK).picture(tabletop(SEED_HELD_BACK, number), number)
 
 
@@ -47,7 +48,7 @@ def accuracy(
     images: int = IMAGES_HELD_BACK,
     change: Callable[[Picture], Any] = lambda picture: picture,
 ) -> Accuracy:
-    """Return the accuracy on this many held-back images. `change` is applied to each image before the detector runs."""
+    """Return the detector's accuracy on this many held-back images. `change` converts each image first."""
     camera = DeskCamera(PINHOLE, SEED_HELD_BACK)
     things, hits, wrong = 0, 0, 0
     for number in range(images):
@@ -63,7 +64,7 @@ def accuracy(
 
 
 def matches(detection: Detection, thing: Thing) -> bool:
-    """Return whether a detection has an object's label and position."""
+    """Return whether a detection has the same label as an object, and nearly the same center (see `SAME_PLACE`)."""
     return (
         detection.label == thing.label
         and abs(detection.u - thing.u) <= SAME_PLACE * thing.width

@@ -1,6 +1,7 @@
-"""Define functions for a process pool next to the node. They're in a module because a pool finds functions by name.
+"""Define functions that a node runs in a process pool.
 
-A process that is started with `spawn` imports its functions, and it can't import them from a notebook cell.
+A process that is started with `spawn` imports its functions by name. They're in a module, because a process can't
+import them from a notebook cell.
 """
 
 import ctypes
@@ -15,7 +16,7 @@ _loaded: list[DeskDetector] = []
 
 
 def load(takes_s: float = 0.0) -> None:
-    """Load this process's detector, and take at least `takes_s` seconds, as a large model would."""
+    """Load this process's detector, and take at least `takes_s` seconds for it, as if the model were large."""
     done = time.monotonic() + takes_s
     _loaded[:] = [DeskDetector()]
     time.sleep(max(0.0, done - time.monotonic()))
@@ -29,7 +30,7 @@ def look(image: npt.NDArray[np.uint8]) -> list[Detection]:
 
 
 def size(image: npt.NDArray[np.uint8]) -> int:
-    """Return the number of bytes received: a stand-in for a model that takes no time."""
+    """Return the number of bytes in an image. This replaces the detector with a model that takes no time."""
     return image.nbytes
 
 

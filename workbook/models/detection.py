@@ -1,4 +1,4 @@
-"""Define detections, and decode them from the network's output."""
+"""Define the class for detections, and decode detections from the network's output."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from workbook.scenes.tabletop import LABELS as LABELS
 
 Floats = npt.NDArray[np.float32]
 STRIDE = 4
-"""The network's output has one square for this many input pixels in each direction."""
+"""How many input pixels, in each direction, correspond to one square of the network's output."""
 
 
 @dataclass(frozen=True)
@@ -30,8 +30,9 @@ class Detection:
 def decoded(maps: Floats, threshold: float, factor: int) -> list[Detection]:
     """Return the detections in the network's output, highest score first.
 
-    `maps`: shape (labels + 4, rows, columns). Each square has a number per label, the center's position within the
-    square, and the logarithms of width and height. `factor`: how many image pixels correspond to one of the network's.
+    `maps`: shape (labels + 4, rows, columns). Each square has one number per label, the center's position within the
+    square, and the logarithms of width and height. `threshold`: the lowest score to return. `factor`: how many pixels
+    of the image, in each direction, correspond to one input pixel of the network.
     """
     scores = 1.0 / (1.0 + np.exp(np.minimum(-maps[: len(LABELS)], 80.0)))
     best = scores.max(axis=0)

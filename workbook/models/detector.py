@@ -10,10 +10,10 @@ THRESHOLD = 0.5
 
 
 def to_input(image: npt.NDArray[np.uint8]) -> Floats:
-    """Return the network's input: 160 by 120 pixels, numbers from 0 to 1, color first; shape (1, 3, 120, 160).
+    """Convert an image to the network's input: numbers from 0 to 1, color channels first, shape (1, 3, 120, 160).
 
-    `image`: uint8, red, green, blue, shape (120 n, 160 n, 3). In a larger image, each n by n pixels are averaged.
-    Raises ValueError for another shape or type.
+    `image`: RGB, uint8, shape (120 n, 160 n, 3). Each block of n by n pixels is averaged. Raises ValueError if the
+    image has another shape or type.
     """
     if not isinstance(image, np.ndarray) or image.dtype != np.uint8:
         raise ValueError(
@@ -33,9 +33,9 @@ def to_input(image: npt.NDArray[np.uint8]) -> Floats:
 
 
 class DeskDetector:
-    """Finds balls, bricks, cups, and plates in an image of the desk. Creating it loads the network.
+    """Detects balls, bricks, cups, and plates in an image of the desk. Its constructor loads the network.
 
-    `network`: runs the network; by default, in ONNX Runtime. `threshold`: detections with a lower score are dropped.
+    `network`: the network to run; by default, `OnnxNetwork`. `threshold`: detections with a lower score are dropped.
     """
 
     def __init__(self, network: Network | None = None, threshold: float = THRESHOLD) -> None:

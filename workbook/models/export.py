@@ -1,4 +1,4 @@
-"""Write trained weights to files: for NumPy, for ONNX Runtime, and with their provenance."""
+"""Write trained weights to a NumPy file and an ONNX file, and their provenance to a TOML file."""
 
 import hashlib
 import json
@@ -19,7 +19,7 @@ OPSET = 17
 def write_files(
     weights: Sequence[tuple[Floats, Floats]], folder: Path, provenance: Mapping[str, Mapping[str, Any]]
 ) -> None:
-    """Write the weights (.npz), the network (.onnx), and a TOML file with their provenance and hashes."""
+    """Write the weights (.npz), the network (.onnx), and a TOML file with the provenance and the files' hashes."""
     arrays = {}
     for number, (weight, bias) in enumerate(weights):
         arrays[f"weight_{number}"], arrays[f"bias_{number}"] = weight, bias
@@ -42,7 +42,7 @@ def _key(name: str) -> str:
 
 
 def onnx_model(weights: Sequence[tuple[Floats, Floats]]) -> Any:
-    """Return the network as an ONNX model. The number of images is free; the rest of the shape is fixed."""
+    """Return the network as an ONNX model that accepts any number of images, all of the same fixed size."""
     nodes, stored, values = [], [], "pixels"
     for number, (layer, (weight, bias)) in enumerate(zip(LAYERS, weights, strict=True)):
         last = number == len(LAYERS) - 1

@@ -1,4 +1,4 @@
-"""Simulate a robot's joints and IMU while it stands, bows, is pushed, or falls, and measure the delay of fall alarms.
+"""Simulate a robot's joints and IMU while it stands, bows, is pushed, or falls, to measure the delay of fall alarms.
 
 The body is an inverted pendulum on its feet, and the torso bends forward at the hip. Only NumPy is needed. The same
 seed yields the same samples.
@@ -19,12 +19,12 @@ LENGTH_S = 4.0
 WINDOW = 10
 """Samples per window: 0.2 s."""
 CHANNELS = ("pitch", "pitch_rate", "hip", "knee")
-"""The torso's tilt from the IMU (rad), its rate from the gyroscope (rad/s), and two joint angles (rad)."""
+"""The torso's tilt from the IMU (rad), its rate of change from the gyroscope (rad/s), and two joint angles (rad)."""
 KINDS = ("stands", "bows", "is pushed", "falls")
 ON_THE_GROUND = 1.2
-"""The body's tilt (rad) at which a fall is over."""
+"""The body's tilt (rad) from which on the robot counts as lying on the ground, which ends an episode."""
 STEPS = 4
-"""Pendulum steps per sample."""
+"""How many simulation steps of the pendulum there are per sample."""
 
 _NOISE = np.array([0.02, 0.08, 0.01, 0.01])
 _GRAVITY_OVER_LENGTH = 16.0
@@ -33,7 +33,10 @@ _STIFFNESS, _DAMPING = 42.0, 8.0
 
 @dataclass(frozen=True)
 class Episode:
-    """Up to four seconds of a robot. `samples`: shape (samples, channels). `falls_from`: its first sample in a fall."""
+    """Up to four seconds of a robot's sensor data. `kind`: one of `KINDS`. `samples`: shape (samples, channels).
+
+    `falls_from`: the index of the first sample in which the robot is falling; None if it doesn't fall.
+    """
 
     kind: str
     samples: Floats
@@ -44,8 +47,8 @@ class Episode:
 class Alarms:
     """The delays of alarms, and the numbers of missed and false alarms.
 
-    `late_s`: for each detected fall, the time from its start to the alarm. `missed`: falls that weren't detected.
-    `false`: episodes with an alarm while the robot wasn't falling.
+    `late_s`: for each detected fall, the time (s) from its start to the alarm. `missed`: the number of falls that
+    weren't detected. `false`: the number of episodes with an alarm while the robot wasn't falling.
     """
 
     late_s: tuple[float, ...]
@@ -54,15 +57,15 @@ class Alarms:
 
 
 def episodes(seed: int, number: int) -> list[Episode]:
-    """Return `number` episodes, a quarter of each kind."""
+    """Return `number` random episodes, split evenly among the four kinds."""
     generator = np.random.default_rng(seed)
     return [_episode(KINDS[place % len(KINDS)], generator) for place in range(number)]
 
 
 def windows(episode: Episode) -> tuple[Floats, Flags]:
-    """Return each window of an episode as a row, and whether the robot is falling at its end.
+    """Return each window of an episode as a row, and for each, whether the robot is falling at the end of the window.
 
-    The oldest sample comes first.
+    Within a row, the oldest sample comes first.
     """
     rows = np.lib.stride_tricks.sliding_window_view(episode.samples, WINDOW, axis=0)
     last = np.arange(WINDOW - 1, len(episode.samples))
@@ -71,13 +74,13 @@ def windows(episode: Episode) -> tuple[Floats, Flags]:
 
 
 def all_windows(some: Sequence[Episode]) -> tuple[Floats, Flags]:
-    """Return the windows of several episodes, stacked, and whether the robot is falling in each."""
+    """Return the windows of all these episodes as rows, and for each, whether the robot is falling at its end."""
     rows, falls = zip(*map(windows, some), strict=True)
     return np.concatenate(rows), np.concatenate(falls)
 
 
 def alarms(some: Sequence[Episode], is_falling: Callable[[Floats], npt.NDArray[np.bool_]]) -> Alarms:
-    """Return when `is_falling`, which classifies windows, raises alarms in these episodes."""
+    """Measure the alarms in these episodes. `is_falling` classifies windows, and raises an alarm by returning True."""
     late, missed, false = [], 0, 0
     for episode in some:
         rows, falls = windows(episode)
@@ -91,7 +94,7 @@ def alarms(some: Sequence[Episode], is_falling: Callable[[Floats], npt.NDArray[n
 
 
 def _episode(kind: str, generator: np.random.Generator) -> Episode:
-    """Return an episode with random sway, timing, and strength."""
+    """Return an episode of this kind, with random sway, timing, and strength."""
     event_s = generator.uniform(0.8, 2.0)
     push = generator.uniform(0.5, 1.3) if kind in ("is pushed", "falls") else 0.0
     slips_s = event_s if kind == "falls" else None
@@ -105,7 +108,10 @@ def _episode(kind: str, generator: np.random.Generator) -> Episode:
 
 
 def _body(event_s: float, push: float, slips_s: float | None, phase: float) -> tuple[Floats, Floats]:
-    """Return the tilt (rad) and its rate (rad/s) of a body that is pushed once. From `slips_s` on, nothing holds it."""
+    """Return the tilt (rad) and tilt rate (rad/s) of a body that is pushed once, at `event_s`.
+
+    From `slips_s` on, the body is no longer held upright. If it's None, the body never falls.
+    """
     tilts, rates = [], []
     tilt = rate = 0.0
     step = 1.0 / (RATE_HZ * STEPS)

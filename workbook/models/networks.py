@@ -1,8 +1,8 @@
-"""Run one small convolutional network with any of three libraries, from the same weights.
+"""Run one small convolutional network in ONNX Runtime, PyTorch, or Keras, with the same weights.
 
-ONNX Runtime is in every environment. PyTorch comes with `make env EXTRAS=torch`, Keras with `EXTRAS=tensorflow`; both
-are imported only when their class is instantiated. Input: float32 from 0 to 1, red, green, and blue, shape (images,
-3, 120, 160). Output: float32, shape (images, labels + 4, 30, 40).
+ONNX Runtime is in every environment. `make env EXTRAS=torch` adds PyTorch, and `EXTRAS=tensorflow` adds Keras. Each
+library is imported only when its class is instantiated. The input is RGB, float32 from 0 to 1, shape (images, 3, 120,
+160). The output is float32, shape (images, labels + 4, 30, 40).
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ HEIGHT, WIDTH = 120, 160
 
 @dataclass(frozen=True)
 class Layer:
-    """A convolution. A network's last one is its output; each of the others is followed by max(0, x)."""
+    """A convolution. The network's last convolution is its output; all others are followed by max(0, x)."""
 
     kernel: int
     stride: int = 1
@@ -31,7 +31,7 @@ class Layer:
 
     @property
     def padding(self) -> int:
-        """The zeros added at each edge, so that only the stride changes the size."""
+        """How many zeros to add at each edge, so that only the stride changes the image size."""
         return self.dilation * (self.kernel // 2)
 
 
@@ -48,19 +48,19 @@ LAYERS = (
 
 
 class Network(Protocol):
-    """Computes maps of numbers for images."""
+    """A callable network: it takes images, and returns the output maps (see `decoded` for their meaning)."""
 
     def __call__(self, pixels: Floats) -> Floats: ...
 
 
 def read_weights(path: Path = WEIGHTS_FILE) -> list[tuple[Floats, Floats]]:
-    """Return each layer's weights, shape (channels out, channels in, rows, columns), and one bias per channel out."""
+    """Return each layer's weights, shape (channels out, channels in, rows, columns), and its biases (channels out)."""
     with np.load(path, allow_pickle=False) as stored:
         return [(stored[f"weight_{n}"], stored[f"bias_{n}"]) for n in range(len(LAYERS))]
 
 
 class OnnxNetwork:
-    """The network in ONNX Runtime: on the CPU, in one thread."""
+    """The network in ONNX Runtime, which runs on the CPU in one thread."""
 
     def __init__(self, path: Path = ONNX_FILE) -> None:
         import onnxruntime
@@ -101,7 +101,7 @@ class TorchNetwork:
 
 
 class KerasNetwork:
-    """The same network in Keras, on TensorFlow. Its channels come last, so images and maps are transposed."""
+    """The same network in Keras, on TensorFlow. Keras puts channels last, so images and maps are transposed."""
 
     def __init__(self, weights: Sequence[tuple[Floats, Floats]] | None = None) -> None:
         import keras

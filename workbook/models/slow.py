@@ -1,4 +1,4 @@
-"""Simulate the detector on a robot: on a slow accelerator that rejects some images."""
+"""Simulate the detector as it runs on a robot, on a slow accelerator that rejects some images."""
 
 import threading
 import time
@@ -9,20 +9,20 @@ import numpy.typing as npt
 from workbook.models import DeskDetector, Detection
 
 WHITE = 250
-"""A pixel's channel counts as white from this value on."""
+"""A pixel counts as white if each of its channels has at least this value."""
 
 
 class SlowDetector:
-    """`DeskDetector` on a slow accelerator: one second to load, then 0.2 s per image, one at a time.
+    """`DeskDetector` on a slow accelerator that takes 1 s to load, and then 0.2 s per image.
 
-    It waits for the accelerator without holding the GIL, so the program's other threads keep running. Calls from
-    several threads wait for one another.
+    A call waits for the accelerator without holding the GIL, so the program's other threads keep running. The
+    accelerator processes one image at a time, so calls from several threads wait for one another.
     """
 
     LOADING_S = 1.0
     SECONDS = 0.2
     GLARE = 0.5
-    """The share of white pixels from which an image is rejected."""
+    """An image with at least this share of white pixels is rejected."""
     _accelerator = threading.Lock()
 
     def __init__(self) -> None:
@@ -31,9 +31,9 @@ class SlowDetector:
         _wait_until(began + self.LOADING_S)
 
     def __call__(self, image: npt.NDArray[np.uint8]) -> list[Detection]:
-        """Return the detections on the desk, highest score first. `image`: RGB, uint8, shape (height, width, 3).
+        """Return the detections in an image, highest score first. `image`: see `to_input`.
 
-        Raises RuntimeError for an image with glare, and ValueError for another shape or number type.
+        Raises RuntimeError if the image has too much glare, and ValueError if it has the wrong shape or type.
         """
         with self._accelerator:
             began = time.monotonic()

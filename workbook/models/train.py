@@ -1,7 +1,6 @@
-"""Train the detector again and prove that it is good enough (`make model`). Needs the extra `torch`.
+"""Train the detector again, and check that it reaches the promised accuracy (`make model`). Needs the extra `torch`.
 
-Without arguments, the committed files stay, and the new weights go into a temporary folder. `--write` replaces the
-files.
+Without arguments, nothing is saved. `--write` replaces the committed files.
 """
 
 import argparse
@@ -29,7 +28,7 @@ EPOCHS = 10
 BATCH = 32
 RATE = 4e-3
 SEEN_ENOUGH, SEEN_TOO_LITTLE = 0.6, 0.25
-"""Objects less visible than the first share aren't targets; below the second, they count as background."""
+"""Objects less visible than the first share aren't targets. Objects less visible than the second are background."""
 ROWS, COLUMNS = HEIGHT // STRIDE, WIDTH // STRIDE
 OUT = len(LABELS)
 
@@ -37,7 +36,7 @@ OUT = len(LABELS)
 def targets(number: int, pinhole: Pinhole) -> tuple[Floats, Floats]:
     """Return the network's target output for one image, shape (labels + 4, rows, columns), and which squares count.
 
-    The second array has two maps: 1 where the labels count, and 1 where a center is.
+    The second array has two maps. The first is 1 where the labels count, and the second is 1 at objects' centers.
     """
     wanted = np.zeros((OUT + 4, ROWS, COLUMNS), dtype=np.float32)
     counts = np.zeros((2, ROWS, COLUMNS), dtype=np.float32)
@@ -61,7 +60,7 @@ def targets(number: int, pinhole: Pinhole) -> tuple[Floats, Floats]:
 
 
 def examples(number: int = IMAGES) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """Return the images, the target outputs, and which squares count."""
+    """Return `number` images, their target outputs, and which squares count (see `targets`)."""
     pinhole = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
     camera = DeskCamera(pinhole, SEED)
     pictures = [to_input(camera.picture(tabletop(SEED, one), one))[0] for one in range(number)]
@@ -72,7 +71,7 @@ def examples(number: int = IMAGES) -> tuple[torch.Tensor, torch.Tensor, torch.Te
 
 
 def network() -> nn.Sequential:
-    """Return the layers with batch normalization between them, which `folded` later merges into the weights."""
+    """Return an untrained network with batch normalization, which `folded` later merges into the weights."""
     stack: list[nn.Module] = []
     for number, layer in enumerate(LAYERS):
         last = number == len(LAYERS) - 1
@@ -94,7 +93,7 @@ def network() -> nn.Sequential:
 
 
 def loss_of(maps: torch.Tensor, wanted: torch.Tensor, counts: torch.Tensor) -> torch.Tensor:
-    """Return CenterNet's focal loss for the labels, plus the mean error of position and size at the centers."""
+    """Return CenterNet's focal loss for the labels, plus half the mean error of position and size at the centers."""
     hills, middles = wanted[:, :OUT], counts[:, 1:]
     score = torch.sigmoid(maps[:, :OUT]).clamp(1e-4, 1 - 1e-4)
     at_middle = hills == 1.0
@@ -110,7 +109,7 @@ def loss_of(maps: torch.Tensor, wanted: torch.Tensor, counts: torch.Tensor) -> t
 
 
 def trained(data: tuple[torch.Tensor, torch.Tensor, torch.Tensor], epochs: int = EPOCHS) -> nn.Sequential:
-    """Return the network after this many passes over all images. Prints the progress."""
+    """Train a new network for this many passes over all images, and return it. Prints the progress."""
     pictures, wanted, counts = data
     model = network().train()
     steps = epochs * (len(pictures) // BATCH)
@@ -132,7 +131,7 @@ def trained(data: tuple[torch.Tensor, torch.Tensor, torch.Tensor], epochs: int =
 
 
 def folded(model: nn.Sequential) -> list[tuple[Floats, Floats]]:
-    """Return the convolutions' weights, with the batch normalization after each one multiplied in."""
+    """Return the convolutions' weights and biases, with each batch normalization merged into its convolution."""
     weights: list[tuple[Floats, Floats]] = []
     parts: list[Any] = list(model)
     for number, part in enumerate(parts):
@@ -158,7 +157,7 @@ def promised() -> float:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Train, measure, and report whether the promised accuracy was reached: return exit code 0, or 1 if not."""
+    """Train a network and measure its accuracy. Return exit code 0 if it reaches the promised accuracy, or 1 if not."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

@@ -1,4 +1,4 @@
 """Define recordings, plans, and scripts as data, with the standard library only.
 
-Every layer above may import its modules: `recording`, `plan`, `script`, and `machine`.
+Every package of a higher layer may import the modules `recording`, `plan`, `script`, and `machine`.
 """

@@ -1,10 +1,12 @@
-"""Convert frozen dataclasses, such as recordings, judgments, and results, to JSON data and back by their type hints.
+"""Convert frozen dataclasses, such as recordings, judgments, and results, to JSON data and back.
+
+The type hints of a class determine how its fields are converted.
 
 The supported hints are `str`, `int`, `float`, `bool`, `None`, `Any`, `Literal`, `X | None`, `tuple`, `Mapping[str, X]`,
-and dataclasses. A field is stored under its name, unless its metadata differ (`stored_as`, `NOT_STORED`,
-`STORED_IF_SET`). A field with a default may be missing from an older version's data, unless it's `ALWAYS_STORED`.
-Unknown fields raise Malformed. A class can instead keep them in a mapping (`UNKNOWN_FIELDS`), or drop them with
-`ignores_unknown_fields: ClassVar[bool] = True`.
+and dataclasses. A field is stored under its name, unless its metadata say otherwise (`stored_as`, `NOT_STORED`,
+`STORED_IF_SET`). A field with a default may be missing from data that an older version wrote, unless the field is
+`ALWAYS_STORED`. Decoding raises Malformed if the data contain unknown fields. A class can instead keep such fields in a
+mapping (`UNKNOWN_FIELDS`), or drop them with `ignores_unknown_fields: ClassVar[bool] = True`.
 
 Only fields declared as `Any` may contain infinite numbers or NaN, which are stored as `{"float": "nan"}`.
 """

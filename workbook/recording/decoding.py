@@ -1,4 +1,4 @@
-"""Convert JSON data to frozen dataclasses by their type hints: see `codec`."""
+"""Convert JSON data to frozen dataclasses, guided by their type hints. See `codec` for the rules."""
 
 import math
 import types
@@ -19,12 +19,15 @@ from workbook.recording.stored_fields import (
 
 Decoded = TypeVar("Decoded")
 FORMER_WORDS = {"bench": "judge"}
-"""Choices in recordings of earlier versions, with the words that replaced them."""
+"""Maps literals that earlier versions wrote to the literals that replaced them."""
 _NON_FINITE = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
 
 
 def decode(kind: type[Decoded], data: object) -> Decoded:
-    """Reverse `encode`. Raise Malformed, which is a ValueError, if the data doesn't fit."""
+    """Convert data from `encode` back to an object of class `kind`.
+
+    Raise Malformed, which is a ValueError, if the data doesn't fit the class.
+    """
     hint: Any = kind
     return cast(Decoded, _decoder(hint)(data))
 
@@ -84,7 +87,7 @@ def _decode_str(data: Any) -> str:
         try:
             data.encode()
         except UnicodeEncodeError:
-            # JSON can contain half a character (a lone surrogate), but it can't be written to a file.
+            # JSON can contain half a character (a lone surrogate), but such text can't be written to a file.
             raise Malformed(f"{quoted(data)} holds half a character") from None
     return data
 

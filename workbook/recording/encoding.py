@@ -1,4 +1,4 @@
-"""Convert frozen dataclasses to JSON data by their type hints: see `codec`."""
+"""Convert frozen dataclasses to JSON data, guided by their type hints. See `codec` for the rules."""
 
 import math
 import types
@@ -19,7 +19,7 @@ from workbook.recording.stored_fields import (
 
 
 def encode(value: Any) -> Any:
-    """Convert a dataclass to data for `json`. Raise Malformed if JSON can't represent it."""
+    """Convert a dataclass object to data for `json`. Raise Malformed if JSON can't represent a value in it."""
     kind: Any = type(value)
     return _encoder(kind)(value)
 
@@ -69,7 +69,7 @@ def _encode_any(value: Any) -> Any:
 
 
 def _encode_rare(value: Any) -> Any:
-    """Encode subclasses of plain types, and all other values."""
+    """Encode a value whose exact type `_encode_any` doesn't handle, such as an enum member or a dataclass."""
     if isinstance(value, float):
         return value if math.isfinite(value) else {"float": str(value)}
     if isinstance(value, (str, int)):

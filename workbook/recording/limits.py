@@ -1,28 +1,28 @@
-"""Define the resources that an answer may use. Enforcement and messages use the same values."""
+"""Define the resources that an answer may use. Code that enforces the limits and messages use the same values."""
 
 from dataclasses import dataclass
 
 MB = 1_000_000
 WRITABLE_MIB = 64
-"""The size of each folder that a sandboxed program may write to."""
+"""The size (MiB) of each folder that a sandboxed program may write to."""
 
 FLOOD_MESSAGES, FLOOD_S = 500, 1.0
-"""This many messages on a topic within this time (s of simulated time) are a flood.
+"""A topic is flooded if this many messages arrive within this time (seconds of simulated time).
 
-The busiest correct answer sends 25.
+The busiest correct answer sends 25 messages in that time.
 """
 
 
 @dataclass(frozen=True)
 class Limits:
-    """The limits of a program: bytes, counts, and seconds of CPU time. None: no limit.
+    """The limits of a program, as bytes, counts, and seconds of CPU time. If a value is None, there is no limit.
 
     Some limits apply to a program and its child processes together: `processes`, `threads`, `memory`, `kernel`,
     `descriptors`, `watches`, `files`, `sockets`, `queued`, and `stored`. The others apply to each process. `processes`
-    also counts threads where the kernel enforces it, and `signals` counts pending timers and signals. `kernel` is
-    memory that the kernel allocates for the program. `watches` counts the entries of its epoll instances. `files`
-    applies to each folder that the program may write to. `queued` counts unread bytes in its sockets. `stored` counts
-    bytes that it writes to shared file systems. `output` limits the printed output.
+    also counts threads where the kernel enforces that limit, and `signals` counts pending timers and signals. `kernel`
+    is memory that the kernel allocates for the program. `watches` counts the entries of the program's epoll instances.
+    `files` applies to each folder that the program may write to. `queued` counts unread bytes in the program's sockets.
+    `stored` counts bytes that the program writes to shared file systems. `output` limits the printed output (bytes).
     """
 
     memory: int | None = None
@@ -44,11 +44,11 @@ class Limits:
 
 
 THREADS_PER_CORE = 4
-"""Libraries such as PyTorch, OpenCV, and OpenBLAS each start a thread per processor."""
+"""How many threads per processor a program may need: PyTorch, OpenCV, and OpenBLAS each start one per processor."""
 ENDED_PROCESSES = 256
-"""How many ended processes (zombies) may wait for their parent. Each takes a process ID, but hardly any memory."""
+"""How many zombies may wait for their parent. An ended process keeps its process ID, but uses hardly any memory."""
 ADDRESSES_PER_THREAD = 72 * MB
-"""Address space (bytes) that a thread reserves for its stack and its part of the heap. It uses hardly any of it."""
+"""Address space (bytes) that a thread reserves for its stack and its part of the heap, but hardly ever uses."""
 NO_LIMITS = Limits()
 """The reader's own programs have no limits, except on their printed output."""
 ANSWER_LIMITS = Limits(

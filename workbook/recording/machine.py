@@ -1,7 +1,7 @@
-"""Store how messages and ticks reached their callbacks: which waited, which were dropped, and what the threads did.
+"""Store how messages and timer ticks reached their callbacks, which of them were dropped, and what the threads did.
 
-All times are in s since the recording began. Arrivals, takes, calls, and waits were recorded as they happened. Dropped
-messages are computed from them: a full queue drops its oldest message for each new one.
+All times are in seconds since the recording began. Arrivals, takes, calls, and waits were recorded as they happened.
+Dropped messages are computed from them, because a full queue drops its oldest message for each new one.
 """
 
 from collections.abc import Mapping, Sequence
@@ -11,16 +11,16 @@ from typing import Any, Literal
 Kind = Literal["subscription", "timer", "client", "service"]
 NS = 1e9
 SPINS_ON_S = 0.02
-"""If a thread is back in the wait set or in a callback within this time, it never left `spin`."""
+"""If a thread is back in the wait set or in a callback within this time (s), we assume that it never left `spin`."""
 SAME_TICK_S = 0.5
-"""Share of a period. If a timer's planned ticks are closer together than this, they're the same tick."""
+"""Planned timer ticks that are closer together than this share of the timer's period count as the same tick."""
 
 
 @dataclass(frozen=True)
 class Source:
     """A source that an executor waits for: its kind, name, callback name, and queue depth.
 
-    `period` (s): only for timers. `group` identifies the callback group.
+    `period` (s) is None unless the source is a timer. `group` identifies the callback group.
     """
 
     kind: Kind
@@ -35,8 +35,8 @@ class Source:
 class Item:
     """A message, request, response, or timer tick in its queue. `came`: when it arrived (s).
 
-    `taken`: when the executor took it. `lost`: when a full queue dropped it, or when a tick came while the previous one
-    was still waiting.
+    `taken`: when the executor took it (s), or None. `lost`: when a full queue dropped it, or when a timer missed the
+    tick (s), or None.
     """
 
     source: int
@@ -53,7 +53,7 @@ class Item:
 
 @dataclass(frozen=True)
 class Call:
-    """One run of a callback: its item, thread, begin and end (s), and pauses."""
+    """One run of a callback: the item that it handles, its thread, its begin and end (s), and its pauses."""
 
     source: int
     number: int
@@ -67,13 +67,13 @@ class Call:
         return self.begin <= now < self.end
 
     def is_paused(self, now: float) -> bool:
-        """Return whether the call awaits something and has released its thread."""
+        """Return whether the call is at an `await` that has released the thread."""
         return any(begin <= now < end for begin, end in self.pauses)
 
 
 @dataclass(frozen=True)
 class Wait:
-    """One wait of an executor in its wait set: begin and end (s), and the sources."""
+    """One wait of an executor in its wait set: its begin and end (s), and the indexes of the sources in the set."""
 
     begin: float
     end: float
@@ -82,7 +82,10 @@ class Wait:
 
 @dataclass(frozen=True)
 class MachineRecording:
-    """A recording of some nodes and their executor for `seconds`. `threads`: how many threads run callbacks."""
+    """A recording of some nodes and their executor that lasted `seconds`.
+
+    `spinning`: the times (s) when a thread was inside `spin`. `threads`: how many threads run callbacks.
+    """
 
     sources: Sequence[Source]
     items: Sequence[Item]
@@ -107,7 +110,7 @@ class MachineRecording:
         return [call for call in self.calls if call.runs(now)]
 
     def looks(self, now: float) -> bool:
-        """Return whether a thread is or could be in the wait set. A single thread can't be while it runs a callback."""
+        """Return whether a thread is or could be in the wait set. An only thread can't be while it runs a callback."""
         busy = [call for call in self.running(now) if not call.is_paused(now)]
         return self.spins(now) and (self.threads > 1 or not busy)
 
@@ -116,13 +119,13 @@ class MachineRecording:
         return any(begin <= now <= end for begin, end in self.spinning)
 
     def waits_for(self, now: float) -> Sequence[int] | None:
-        """Return the sources of the current or latest wait; None before the first one."""
+        """Return the indexes of the sources in the current or latest wait; None before the first wait."""
         before = [wait for wait in self.waits if wait.begin <= now]
         return before[-1].sources if before else None
 
 
 def from_notes(notes: Mapping[str, Any]) -> MachineRecording:
-    """Build the recording from the notes of `workbook/inside/machine_tap.py`."""
+    """Build a recording from the notes that `workbook/inside/machine_tap.py` takes."""
     began: int = notes["began"]
     seconds = (notes["ended"] - began) / NS
 
@@ -187,14 +190,14 @@ def _messages(
 
 
 def _thrown_away(items: Sequence[Item], depth: int) -> list[Item]:
-    """Mark the items that a queue of this depth dropped: its oldest item for each new one that doesn't fit."""
+    """Mark the dropped items. A queue of this depth drops its oldest item for each new item that doesn't fit."""
     queue: list[int] = []
     found = list(items)
     for place, item in enumerate(items):
         queue = [one for one in queue if not (taken := found[one].taken) or taken > item.came]
         if len(queue) >= depth:
             lost = next((one for one in queue if found[one].taken is None), None)
-            if lost is not None:  # otherwise, the executor took one at this very moment
+            if lost is not None:  # otherwise, the executor took an item at this very moment
                 queue.remove(lost)
                 found[lost] = replace(found[lost], lost=item.came)
         queue.append(place)
@@ -204,7 +207,7 @@ def _thrown_away(items: Sequence[Item], depth: int) -> list[Item]:
 def _ticks(
     place: int, source: Mapping[str, Any], calls: Sequence[Mapping[str, Any]], began: int, seconds: float
 ) -> list[Item]:
-    """Return a timer's ticks: those that ran its callback, the planned ones that it missed, and the waiting one."""
+    """Return a timer's ticks: ticks that ran its callback, planned ticks that it missed, and a tick still waiting."""
     period = source["period"] / NS
     items: list[Item] = []
 
@@ -225,7 +228,7 @@ def _ticks(
 
 
 def _joined(spans: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Join time spans (s) whose gaps are too short to count."""
+    """Join time spans (s) that are at most `SPINS_ON_S` apart."""
     found: list[tuple[float, float]] = []
     for begin, end in sorted(spans):
         if found and begin - found[-1][1] <= SPINS_ON_S:

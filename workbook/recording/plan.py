@@ -7,9 +7,15 @@ from typing import Any
 from workbook.recording.script import NOTHING_SAID, Script
 
 SPEEDS = (9.0, 20.0)
-"""Robot seconds per real second if a program doesn't come to rest. Otherwise, the clock runs in lockstep with it."""
+"""Speeds of simulated time (simulated seconds per real second) for a program that never comes to rest.
+
+For any other program, the clock runs in lockstep with the program.
+"""
 PERIODS_PER_BLOCK = 4.5
-"""The length of a fast or slow block, in longest judged periods: long enough for three intervals of every topic."""
+"""How long a fast or slow block lasts, as a multiple of the longest judged period.
+
+That is long enough for three intervals of every topic.
+"""
 WALL_PERIODS = 4.0
 WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
@@ -20,24 +26,25 @@ BYTES_PER_TOPIC = 1_000_000
 
 
 Feature = Callable[[Any], Any]
-"""A function that extracts the part of a message to keep: numbers, strings, and lists or dicts of them."""
+"""A function that extracts the facts to keep from a message: numbers, strings, and lists or dicts of them."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """The judged topics and the script. They determine the resolution and duration of the watch.
+    """The judged topics and the script, with the resolution and duration of the watch.
 
-    `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds. `paced`: the
-    topics whose rate is judged. `simulated_seconds`: simulated time to watch; None: nine longest periods.
-    `wall_seconds`: real time to watch on the wall clock; None: a little more than four longest periods. `script`: the
-    judge's messages, services, and calls. With a script, a node alone shows that the program is up. `seed`: the
-    script's seed; None if the script is the same in each run.
+    `topics`: the names of the judged topics. `shortest_period` and `longest_period`: the shortest and longest period
+    (s) among the judged rates. `paced`: the topics whose rate is judged. `simulated_seconds`: the simulated time to
+    watch; if it's None, nine times the longest period. `wall_seconds`: the real time to watch on the wall clock; if
+    it's None, a little more than four times the longest period. That's at least four seconds. `script`: the judge's
+    messages, services, and calls. `seed`: the script's seed; None if the script is the same in each run.
 
-    `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program's end. Then a
-    participant that vanishes without a DDS dispose is remembered for much longer than a dispose takes on a busy
-    machine. `bytes_per_topic`: how many bytes of messages are kept for each topic. `features`: by topic and field,
-    functions that extract what to keep of large fields in addition to their beginning, size, and hash.
-    `steps_per_period`: the number of simulated time steps in the shortest judged period.
+    `to_the_end`: whether the watch also looks for nodes that stay in the graph after the program's end. If so, the
+    judge remembers a participant that vanishes without a DDS dispose for a long time. That time is much longer than a
+    dispose message takes on a busy machine. `bytes_per_topic`: how many bytes of messages are kept for each topic.
+    `features`: functions, by topic and field, that extract facts about large fields. Those are kept in addition to the
+    field's beginning, size, and hash. `steps_per_period`: the number of simulated time steps in the shortest judged
+    period.
     """
 
     topics: tuple[str, ...]
@@ -55,7 +62,7 @@ class Plan:
 
     @property
     def node_suffices(self) -> bool:
-        """Whether a node alone shows that the program is up, because it needn't publish anything by itself."""
+        """Whether a node alone shows that the program is up, because the program may have nothing to publish yet."""
         return bool(self.script) or not self.topics
 
     @property

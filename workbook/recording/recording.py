@@ -1,7 +1,8 @@
-"""Store a program's run: which nodes published which messages when, and what the process did.
+"""Define the recording of a program's run: which nodes published which messages when, and what the process did.
 
 A recording is plain data, made once and stored as JSON. Everything else (figures, criteria, feedback) is derived from
-it. Times named `t` are simulated time (s) since the watch began. `wall` is real time (s) since the program was started.
+it. Times named `t` are simulated time (s) since the watch began. Times named `wall` are real time (s) since the program
+was started.
 """
 
 import json
@@ -33,17 +34,21 @@ class Arrival:
 
     @property
     def published(self) -> float:
-        """When the program published the message (s of wall time).
+        """When the program published the message (wall time in seconds), or when the message arrived if that's unknown.
 
         DDS sends a lost message again, so messages on two topics may arrive in a different order than they were
-        published. Compare these times to find the first message or a message's cause.
+        published. So compare these times to find out which message came first, or which message caused another.
         """
         return self.wall if self.sent is None else self.sent
 
 
 @dataclass(frozen=True)
 class PublisherSeen:
-    """A publisher on the graph: its node's fully qualified name, type, and QoS (`deadline`, `lifespan` in s)."""
+    """A publisher in the graph: its node's fully qualified name, its type, its QoS, and when the judge saw it.
+
+    `deadline` and `lifespan` are in seconds, or None if there is no such limit. `last_seen` is None if the publisher
+    stayed.
+    """
 
     node: str
     type: str
@@ -57,7 +62,10 @@ class PublisherSeen:
 
 @dataclass(frozen=True)
 class SubscriberSeen:
-    """A subscription on the graph: its node's fully qualified name, type, and QoS (`deadline` in s)."""
+    """A subscription in the graph: its node's fully qualified name, its type, and its QoS.
+
+    `deadline` is in seconds, or None if the subscription requests none.
+    """
 
     node: str
     type: str
@@ -68,13 +76,14 @@ class SubscriberSeen:
 
 @dataclass(frozen=True)
 class TopicRecording:
-    """The recording of one topic. `window` is the simulated time from its match to the end of the watch.
+    """The recording of one topic. `window` is the start and end (s) of its watch, which begins when it's matched.
 
-    `undecodable`: messages whose bytes don't fit the type. `not_kept`: messages that arrived but aren't stored;
-    `too_large` of them exceeded the size limit. `broken_at`: when (s of simulated time) the first undecodable or too
-    large message arrived. `full_at`: when this topic's quota was used up; None if it never was. `room`: the quota in
-    bytes if bytes ran out; None if the number of messages did. `kept`: how many earlier messages a late subscription
-    received. It is None without such a subscription, or if new messages arrived in the meantime.
+    `undecodable`: the number of messages whose bytes don't fit the type. `not_kept`: the number of messages that
+    arrived but aren't stored; `too_large` of them exceeded the size limit. `broken_at`: when (simulated time, s) the
+    first undecodable or too large message arrived. `full_at`: when this topic's quota was used up; None if it never
+    was. `room`: the quota in bytes if the topic ran out of bytes; None if it ran out of messages. `kept`: how many
+    earlier messages a late subscription received. It's None if there was no such subscription, or if new messages
+    arrived in the meantime.
     """
 
     name: str
@@ -99,9 +108,9 @@ class TopicRecording:
 
 @dataclass(frozen=True)
 class NodeSeen:
-    """A node on the graph: its fully qualified name, and when (wall time, s) it appeared.
+    """A node in the graph: its fully qualified name, and when (wall time, s) it appeared.
 
-    `most`: the largest number of nodes with this name at the same time. `stayed`: whether it was still on the graph
+    `most`: the largest number of nodes with this name at the same time. `stayed`: whether it was still in the graph
     after the program's end; None if the end wasn't watched.
     """
 
@@ -115,7 +124,7 @@ class NodeSeen:
 class Published:
     """One message of the script, as the judge published it. `value` contains its fields as plain data, as in `Arrival`.
 
-    `t`: simulated time (s). `wall`: wall time (s), just before it was published.
+    `t` and `wall`: simulated and wall time (s) just before the judge published it.
     """
 
     topic: str
@@ -127,7 +136,7 @@ class Published:
 
 @dataclass(frozen=True)
 class CallSeen:
-    """One service call. `by`: "program" for a call to the judge's service, "judge" for a call by the judge.
+    """One service call. `by`: "program" for the program's call to the judge's service, "judge" for a call by the judge.
 
     `response`, `answered_t`, and `answered_wall` are None if there was no response.
     """
@@ -151,14 +160,14 @@ class ServiceSeen:
 
 
 SILENCED, UNCHECKED, UNFINISHED = "silenced", "unchecked", "unfinished"
-"""Codes of findings that aren't mypy's: code that silences mypy, code that mypy skips, and a run that didn't finish."""
+"""Codes of findings that we add: code that silences mypy, code that mypy skips, and a mypy run that didn't finish."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One message of the type checker about the program, or about a `probe`: code that uses it ("" for the program).
+    """One message from the type checker about the program or a probe, which is code that uses the program.
 
-    `line` counts from 1; it's 0 if the finding isn't about a line.
+    `probe`: the probe's name; "" for the program. `line` counts from 1; it's 0 if the finding isn't about a line.
     """
 
     probe: str
@@ -171,10 +180,10 @@ class Finding:
 class SpinSeen:
     """A source line that spins and may be why nothing is published: `code` at `line` (from 1).
 
-    `callback`: the callback that calls it; empty if none does. `kept`: what can't begin because this call doesn't
-    return. It's another "spin", an object that a later line would "create", or the next "round" of a loop. `later` and
-    `later_code`: that line's number and code. `waits`: the line doesn't spin, but waits in vain for a "rate" or a
-    "future".
+    `callback`: the callback that runs this line; empty if none does. `kept`: the step that is never reached, because
+    this call doesn't return. That's another "spin", a line that would "create" an object, or the next "round" of a
+    loop. `later` and `later_code`: the number and code of the line that is never reached. `waits`: if the line doesn't
+    spin, but waits in vain, "rate" or "future".
     """
 
     line: int
@@ -193,9 +202,9 @@ class ProcessRecord:
 
     `log` is its output up to the judge's Ctrl-C, `end_log` its output after that. `processor`: on the wall clock, pairs
     of wall time (s) and the CPU time (s) used until then. `printed_at`: when the last text of `log` arrived (wall time,
-    s). `driver_key`: the key with which a driver signed its reports, in hexadecimal; empty without a driver and in old
-    recordings. `unfiltered`: why its tier couldn't filter system calls, as a clause; empty if they were filtered or if
-    the tier doesn't filter any.
+    s). `driver_key`: the key with which a driver signed its reports, in hexadecimal. It's empty if there was no driver,
+    and in old recordings. `unfiltered`: a clause that says why the sandbox tier couldn't filter system calls. It's
+    empty if they were filtered, or if the tier doesn't filter any.
     """
 
     program: str = ""
@@ -217,7 +226,7 @@ class ProcessRecord:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A stretch of the watch at one speed (robot seconds per real second). `start` and `end` are simulated time (s)."""
+    """A part of the watch with one speed (simulated seconds per real second). `start` and `end`: simulated time (s)."""
 
     speed: float
     start: float
@@ -231,16 +240,17 @@ class Recording:
     `watched_s`: how long (s) the watch lasted, in simulated time or, on the wall clock, in real time. `wall_s`: how
     long (s) it took in real time. `stretches`: the stretches of simulated time, in order.
 
-    `findings`: the type checker's messages; None if it didn't run. `wanted`: topics and services of a correct program,
-    so that none of them is mistaken for a misspelling of another. `following`: by topic, whether its messages follow
-    the simulated clock; topics without proof are missing. `in_lockstep`: whether the program was at rest before each
-    step of that clock, so that real time couldn't make it late. `own_clock`: nodes that subscribed to /clock by
-    themselves, before the switch to simulated time.
+    `findings`: the type checker's messages; None if it didn't run. `wanted`: the topics and services that a correct
+    program uses, so that none of them is mistaken for a misspelling of another. `following`: for each topic, whether
+    its messages provably follow the simulated clock (True) or don't (False). Topics without proof are missing.
+    `in_lockstep`: whether the program was at rest before each step of the simulated clock, so that a slow machine
+    couldn't delay its messages. `own_clock`: nodes that subscribed to /clock by themselves, before the judge switched
+    the program to simulated time.
 
     `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor. `stood_still_s`:
     the longest time (s) for which this virtual machine's host took a processor away. `taken_s`: the total time (s) for
-    which the host did so, averaged over the processors. `in_line_s`: the total time (s) for which the program was ready
-    to run but got no processor.
+    which the host took processors away, averaged over the processors. `in_line_s`: the total time (s) for which the
+    program was ready to run but got no processor.
 
     `seed`: the script's seed; None if the script is the same in each run. `unpublished`: the script's messages that
     hadn't been published when the watch ended (`t` and `wall`: when they were due). `spins`: the spins found in the
@@ -279,7 +289,7 @@ class Recording:
     ignores_unknown_fields: ClassVar[bool] = True
 
     def topic(self, name: str) -> TopicRecording:
-        """Return a topic's recording; it's empty if the topic wasn't seen."""
+        """Return a topic's recording, which is empty if the topic wasn't seen."""
         return self.topics.get(name, TopicRecording(name))
 
     def with_publishers(self) -> tuple[TopicRecording, ...]:
@@ -287,7 +297,7 @@ class Recording:
         return tuple(self.topics[name] for name in sorted(self.topics) if self.topics[name].publishers)
 
     def to_json(self) -> dict[str, Any]:
-        """Convert the recording to plain data for `json`. NaN is stored as text."""
+        """Convert the recording to plain data for `json`. NaN and infinite numbers are stored as text."""
         data: dict[str, Any] = encode(self)
         return data
 
@@ -297,7 +307,10 @@ class Recording:
 
     @classmethod
     def from_json(cls, data: object) -> "Recording":
-        """Rebuild a recording. Raise ValueError if the data isn't a recording or has another format."""
+        """Rebuild a recording from the data of `to_json`.
+
+        Raise ValueError if the data isn't a recording, or has a different format.
+        """
         if not isinstance(data, dict) or data.get("format") != FORMAT:
             found = (
                 f"format is {data.get('format')!r}"

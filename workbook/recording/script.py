@@ -1,7 +1,7 @@
 """Define the judge's script for a watched program: messages to publish, services to offer, and services to call.
 
-A script is data. Its times are simulated time (s) since the watch began. Everything here is plain Python, so that a
-criteria file can refer to the script's parts when it judges.
+A script is plain data, so a criteria file can refer to the script's parts when it judges. The script's times are
+simulated time (s) since the watch began.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,7 @@ from workbook.recording.type_names import type_name
 
 Qos = Literal["reliable", "best_effort", "latched"]
 BEFORE_START = -1.0
-"""A special time (s): publish before the program is started."""
+"""A special value for a line's time: the judge publishes the line before it starts the program."""
 
 
 @dataclass(frozen=True)
@@ -25,10 +25,10 @@ class Line:
 
 @dataclass(frozen=True)
 class Publishes:
-    """Messages that the judge publishes on a topic. "latched": reliable, and the last one is kept for late joiners.
+    """Messages that the judge publishes on a topic.
 
-    `deadline`: the publisher's offered deadline (s); None: no deadline. `awaited`: whether the watch begins only once
-    the program has subscribed.
+    `qos`: "latched" means reliable, and the last message is kept for late joiners. `deadline`: the deadline (s) that
+    the publisher offers, or None. `awaited`: whether the watch begins only after the program has subscribed.
     """
 
     topic: str
@@ -42,7 +42,7 @@ class Publishes:
 
 @dataclass(frozen=True)
 class Reply:
-    """The response to one call: its fields, and its delay `after` (s); None: never respond."""
+    """The response to one call: its fields, and its delay `after` (s). If that's None, the judge never responds."""
 
     value: Mapping[str, Any]
     after: float | None = 0.0
@@ -50,7 +50,7 @@ class Reply:
 
 @dataclass(frozen=True)
 class Serves:
-    """A service that the judge offers. The first call gets the first reply, and so on. The last reply repeats."""
+    """A service that the judge offers. Each call gets the next reply, and the last reply repeats."""
 
     service: str
     type: str
@@ -80,7 +80,7 @@ class Script:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The topics and services that a correct program uses, without topics that it should leave alone."""
+        """The topics and services that a correct program uses. Topics that it should leave alone aren't among them."""
         publish = [part.topic for part in self.parts if isinstance(part, Publishes) and part.awaited]
         return *publish, *(part.service for part in self.parts if not isinstance(part, Publishes))
 
@@ -99,11 +99,11 @@ def publish(
 ) -> Publishes:
     """Define messages for `topic` as pairs of a time (s) and a value: the fields, or only the value of `data`.
 
-    The watch begins when the program subscribes to `topic`. With `awaited=False`, it doesn't wait for that, because the
-    program should leave the topic alone.
+    The watch begins when the program subscribes to `topic`. For a topic that the program should leave alone, pass
+    `awaited=False`, so that the watch doesn't wait for a subscription.
 
-    A subscription that requests a deadline matches only a publisher that offers the same or a shorter one: set
-    `deadline` (s). Raise ValueError if the deadline isn't above zero.
+    A subscription that requests a deadline matches only a publisher that offers the same deadline or a shorter one. For
+    such a subscription, set `deadline` (s). Raise ValueError if the deadline isn't above zero.
     """
     if deadline is not None and not deadline > 0.0:
         raise ValueError(f"a deadline is above zero, not {deadline}")
@@ -115,7 +115,8 @@ def serves(
 ) -> Serves:
     """Define a service for the program to call.
 
-    `replies` are pairs of a response's fields and its delay (s; None: never). Raise ValueError without replies.
+    `replies` are pairs of a response's fields and its delay (s). If the delay is None, the judge never responds.
+    Raise ValueError if there are no replies.
     """
     if not replies:
         raise ValueError(f"{service} needs at least one reply")
@@ -128,9 +129,9 @@ def calls(service: str, service_class: Any, lines: Sequence[tuple[float, Mapping
 
 
 def _lines(pairs: Sequence[tuple[float, Any]]) -> tuple[Line, ...]:
-    """Return the lines in order, rounded to microseconds.
+    """Return the lines sorted by time, with each time rounded to microseconds.
 
-    Otherwise, a float's rounding error could delay a line by a clock step.
+    Without that, a float's rounding error could delay a line by one clock step.
     """
     lines = [
         Line(round(at, 6), value if isinstance(value, Mapping) else {"data": value}) for at, value in pairs

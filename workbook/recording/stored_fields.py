@@ -8,12 +8,12 @@ from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 Converter = Callable[[Any], Any]
 
 ALWAYS_STORED: Mapping[str, Any] = {"always stored": True}
-"""Metadata of a field whose default is only for constructor calls. Stored data always contains the field."""
+"""Metadata of a field that stored data must contain, although constructor calls may omit it."""
 NOT_STORED: Mapping[str, Any] = {"not stored": True}
 STORED_IF_SET: Mapping[str, Any] = {"stored if set": True}
-"""Metadata of a field that is left out if it's empty, as it nearly always is."""
+"""Metadata of a field that is left out of the data if it's empty, as it nearly always is."""
 UNKNOWN_FIELDS: Mapping[str, Any] = {"unknown fields": True}
-"""Metadata of a mapping that keeps fields from a newer version, so that they're written again."""
+"""Metadata of a mapping that keeps unknown fields, so that data from a newer version isn't lost when it's rewritten."""
 
 _LONGEST_QUOTATION = 60
 
@@ -46,8 +46,9 @@ def quoted(data: object) -> str:
 class StoredField(NamedTuple):
     """How a dataclass field is stored.
 
-    `key`: its name in JSON. `as_is`: types of values that need no conversion; `convert` handles all others. `is_float`:
-    whether it's a float. `default`: creates the value of a missing field; None if the field is required.
+    `key`: its name in JSON. `as_is`: types whose values need no conversion; `convert` handles all others. `is_float`:
+    whether the field is a float. `default`: a function that creates the value of a missing field; None if the field is
+    required.
     """
 
     name: str
@@ -59,7 +60,7 @@ class StoredField(NamedTuple):
 
 
 def stored_fields(kind: type, convert: Callable[[Any], Converter]) -> tuple[StoredField, ...]:
-    """Return a dataclass's stored fields, in order. `convert` creates the converter for a type hint."""
+    """Return a dataclass's stored fields, in order. `convert` returns the converter for a type hint."""
     hints = get_type_hints(kind)
     parts = []
     for one in fields(kind):
@@ -83,7 +84,10 @@ def _default_of(one: Field[Any]) -> Callable[[], Any] | None:
 
 
 def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
-    """Return the fields that aren't stored, and the mapping for unknown fields, each with its default's factory."""
+    """Return each field that isn't stored, and the field for unknown fields, with a function that creates its default.
+
+    Raise TypeError if such a field has no default.
+    """
     found: list[tuple[str, Callable[[], Any]]] = []
     for one in fields(kind):
         if one.metadata.keys() & {"not stored", "unknown fields"}:
@@ -107,7 +111,7 @@ def name_of_unknown(kind: type) -> str | None:
 
 
 def _as_is(hint: Any) -> frozenset[type]:
-    """Return the hint's types whose values need no conversion."""
+    """Return the types, among those that a hint allows, whose values need no conversion."""
     if hint in (int, bool, types.NoneType):
         return frozenset([hint])
     if get_origin(hint) in (Union, types.UnionType):

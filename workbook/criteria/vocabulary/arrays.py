@@ -22,7 +22,7 @@ WORDS = Words(__file__)
 
 LEAST_MESSAGES = 3
 MOSTLY = 0.75
-"""The share of steps between messages in which enough elements must change."""
+"""Enough elements must change in at least this share of the steps from one message to the next."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ _LENGTH = WORDS.rules(
 
 @if_all_kept
 def length(recording: Recording, topic: Topic, wanted: int, what: str = "value") -> Verdict:
-    """Check that every message contains an array of exactly `wanted` elements."""
+    """Check that every message contains an array of exactly `wanted` elements. `what`: the noun for an element."""
     lengths = _Lengths([length_of(value) for value in values(recording, topic)], wanted, what)
     if lengths.wrong:
         return _LENGTH.verdict(lengths)
@@ -108,7 +108,7 @@ class _Movement:
 
     @cached_property
     def moving(self) -> list[int]:
-        """The indexes of elements that change at any time."""
+        """The indexes of the elements that change at some time during the recording."""
         return [place for place in range(self.width) if self._moves([row[place] for _, row in self.alike])]
 
     @cached_property
@@ -145,7 +145,7 @@ class _Movement:
 
     @property
     def hardly(self) -> int:
-        """The number of steps in which too few elements change, or none."""
+        """The number of steps in which too few elements change, including steps in which nothing changes."""
         return sum(n < self.at_least for n in self.changed)
 
     @property
@@ -174,8 +174,9 @@ _TOO_LITTLE = WORDS.rules(
 def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: str = "value") -> Verdict:
     """Check that at least `at_least` elements of the array change by more than `by` from message to message.
 
-    That has to be true for a share of `MOSTLY` of the steps between messages, so a movement may reverse. Simultaneous
-    messages aren't compared, because only their rate is wrong.
+    That must be true for at least the share `MOSTLY` of these steps, so a movement may pause to reverse. Messages that
+    arrive at the same moment aren't compared, because they're only a fault of the rate. `what`: the noun for an
+    element.
     """
     seen = _Movement(recording, topic, at_least, by, what)
     if seen.enough:

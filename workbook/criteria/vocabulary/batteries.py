@@ -18,12 +18,15 @@ WORDS = Words(__file__)
 
 FULL = 100.0
 DROPS_BEFORE_THE_FIRST = 1.5
-"""In units of the largest drop seen. The first message may follow one drain, which may be slightly larger than that."""
+"""How far below 100 % the first charge may be, as a multiple of the largest drop between two messages.
+
+The program may drain the battery once before its first message, by slightly more than that drop.
+"""
 DROPS_MISSED_ON_THE_WALL_CLOCK = 4.0
-"""The same factor for the wall clock, where the judge may find a program only after it has published."""
+"""The same factor for the wall clock, on which the judge may miss a program's first messages."""
 ROUNDING = 1.0
 HALVES_FROM = 8
-"""With this many messages, a charge that stops falling is detectable. With fewer, whole percents may repeat."""
+"""How many messages show that a charge has stopped falling. In fewer, a charge in whole percents may just repeat."""
 WORKS, EMPTY = "operational", "error"
 
 
@@ -35,7 +38,7 @@ _STOPS = WORDS.cause("drains.stops", ("first", "middle", "last"))
 
 @dataclass(frozen=True)
 class _Said:
-    """A message's data, with its order (by the publisher's timestamp) and its time `t` (s of simulated time)."""
+    """A message's data. `order`: when it was published (wall time, s). `t`: when it arrived (simulated time, s)."""
 
     order: float
     t: float
@@ -59,7 +62,7 @@ class _Words:
 
     @cached_property
     def charged(self) -> list[_Said]:
-        """The words before the last charge above 0."""
+        """The status words that were published before the last charge above 0."""
         return [one for one in self.words if one.order < self.above[-1].order]
 
     @cached_property
@@ -69,13 +72,13 @@ class _Words:
 
     @property
     def level(self) -> str:
-        """The last charge before the early "error"."""
+        """The last charge before the early "error", or the first charge if there was none before it."""
         before = [one.data for one in self.charges if self.early and one.order < self.early.order]
         return number(before[-1] if before else self.charges[0].data)
 
     @property
     def back(self) -> bool:
-        """Whether the status changed back after an early "error"."""
+        """Whether the status changed back to "operational" after an early "error"."""
         return any(self.early and one.order > self.early.order and one.data == WORKS for one in self.charged)
 
     @cached_property
@@ -90,7 +93,7 @@ class _Words:
 
     @property
     def said(self) -> list[Any]:
-        """The words after the battery was empty."""
+        """The status words after the first charge of 0."""
         return [one.data for one in self.words if one.order > self.zeros[0].order]
 
 
@@ -112,7 +115,7 @@ def _levels(recording: Recording, battery: Topic) -> list[float]:
 
 @if_messages
 def begins_full(recording: Recording, battery: Topic) -> Verdict:
-    """Check that the first charge is 100 %, or one drain step below that."""
+    """Check that the first charge is 100 %, or at most one drain step below 100 %."""
     levels = _levels(recording, battery)
     if not levels:
         return passed("no numbers in it")
@@ -140,9 +143,9 @@ def drains(recording: Recording, battery: Topic) -> Verdict:
 def word_fits_charge(recording: Recording, status: Topic, battery: Topic) -> Verdict:
     """Check that the status is "operational" while the battery has charge, and "error" once it's empty.
 
-    The status may change any time after the last charge above 0, and must have changed by the second message with 0. So
-    the charge may be published before or after the drain, and the clock doesn't matter. If the charges themselves are
-    wrong, this criterion passes, because other criteria judge them.
+    The status may change any time after the last charge above 0, and must have changed by the second charge of 0. So
+    the program may publish the charge before or after it drains the battery, on either clock. If the charges themselves
+    are wrong, this check passes, because other criteria judge them.
     """
     charges = [one for one in _data(recording, battery) if isinstance(one.data, (int, float))]
     seen = _Words(_data(recording, status), charges)

@@ -1,4 +1,4 @@
-"""Generate images of a desk, which the judge publishes as a camera, and locate the toys in them."""
+"""Generate images of a desk, which the judge publishes like a camera, and locate the toys in them."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -19,7 +19,8 @@ FRAME_ID = "head_camera_optical_frame"
 class CameraView:
     """One camera image: its scene and its encoding. Its height is 3/4 of its width (both in pixels).
 
-    `stamp`: seconds and nanoseconds. `seed` and `number` select the noise. `padding`: the unused bytes after each row.
+    `stamp`: seconds and nanoseconds. `seed` and `number` select the noise. `padding`: the number of unused bytes after
+    each row.
     """
 
     scene: Scene
@@ -69,12 +70,12 @@ class _Fields(Mapping[str, Any]):
 
 
 def camera_image(view: CameraView) -> Mapping[str, Any]:
-    """Return the fields of a `sensor_msgs/Image` with this image, for `publish`. The image is rendered on first use."""
+    """Return the fields of a `sensor_msgs/Image` that shows `view`, for `publish`. It's rendered on first use."""
     return _Fields(view)
 
 
 def seen_direction(place: Place, width: int = 160) -> tuple[float, float, float]:
-    """Return the unit vector from a camera to a place (m, robot axes): x to the right, y down, z forward."""
+    """Return the unit vector from a camera to a place (m, robot axes). In it, x points right, y down, and z forward."""
     seen = _pinhole(width).seen_from(place)
     x, y, z = (seen / (seen @ seen) ** 0.5).tolist()
     return x, y, z

@@ -1,6 +1,6 @@
-"""Judge the driver's reports. The driver calls a student's functions and publishes the outcome of each call.
+"""Judge the reports of a driver, a program that calls a student's functions and publishes each call's outcome.
 
-It signs its reports (see `workbook/inside/host.py`). Criteria see only signed reports, with the signatures removed.
+The driver signs its reports (see `workbook/inside/host.py`). Criteria see only signed reports, without the signatures.
 """
 
 import re
@@ -28,8 +28,8 @@ _FORGED = WORDS.cause("driver.not-signed", ("topic",))
 def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
     """Return the recording with only the driver's signed reports on these topics, each report once.
 
-    If a topic had any other message, a note names the topic. A recording without a key is returned unchanged: it had no
-    driver, or was made before reports were signed.
+    If a topic had any other message, a note names the topic. A recording without a key is returned unchanged, because
+    the run had no driver, or was recorded before drivers signed their reports.
     """
     if not recording.process.driver_key:
         return recording
@@ -52,7 +52,7 @@ def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
 def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | None]:
     """Return a report's number, and the report without its signature (None if the driver hasn't signed it).
 
-    A text's signature is a prefix, and an array's is in the label of its first dimension.
+    A text's signature is a prefix of the text, and an array's signature is in the label of its first dimension.
     """
     value = arrival.value
     try:
@@ -68,7 +68,7 @@ def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | No
 
 
 def forged_report(recording: Recording) -> Verdict | None:
-    """Return a failed verdict if anything but the driver published on one of the driver's topics, otherwise None."""
+    """Return a failed verdict if a topic of the driver had a message that the driver hasn't signed, otherwise None."""
     note = next((note for note in recording.notes if note.startswith(_NOT_SIGNED)), None)
     return None if note is None else _FORGED.verdict(topic=note.removeprefix(_NOT_SIGNED))
 
@@ -80,9 +80,10 @@ def driver_reports(recording: Recording, topic: Topic) -> list[str]:
 
 @dataclass
 class DriverCall:
-    """One call by a driver: its number, its argument as Python source, and how it ended (None if unreported).
+    """One call by a driver: its number, its argument as Python source, and how it ended ("returned" or "raised").
 
-    `sent`: the messages that the answer published during the call. `later`: those between this call and the next.
+    `argument` and `how` are None if the driver's report didn't arrive. `sent`: the messages that the answer published
+    during the call. `later`: the messages that it published between this call and the next.
     """
 
     number: int
@@ -94,7 +95,7 @@ class DriverCall:
 
     @property
     def complete(self) -> bool:
-        """Whether both reports on this call arrived, so that its messages are known to belong to it."""
+        """Whether both reports on this call arrived. Only then do its messages certainly belong to it."""
         return self.argument is not None and self.how is not None
 
 
@@ -105,9 +106,9 @@ _ENDS = re.compile(r"call (?P<number>\d+) (?P<how>returned|raised)(?: (?P<error>
 def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[DriverCall]:
     """Return the calls that a driver reported, in order.
 
-    The reports are "call 3: name(64)" and "call 3 returned" or "call 3 raised ...".
-    The first entry has the number 0, and stands for the time before any call. A message on `output` belongs to the call
-    during or after which it was published. A call with a lost report isn't `complete`.
+    The reports are "call 3: name(64)" and "call 3 returned" or "call 3 raised ...". The first entry has the number 0,
+    and stands for the time before the first call. A message on `output` belongs to the call during or after which it
+    was published. If a report on a call was lost, the call isn't `complete`.
     """
     heard = [(one.published, 0, one.value.get("data")) for one in recording.topic(report.name).arrivals]
     heard += [(one.published, 1, one.value.get("data")) for one in recording.topic(output.name).arrivals]
@@ -136,9 +137,9 @@ def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[Dri
 
 
 def failed_in_call(recording: Recording, reported: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that explains an error in a call by its traceback; None if the log has none.
+    """Return a failed verdict that explains an error in a call by the log's last traceback; None if there is none.
 
-    `reported`: the driver's report on the call. The line number in the student's file is prepended.
+    `reported`: the driver's report on the call. The verdict quotes it after the line number in the student's file.
     """
     error = last_error(recording)
     return None if error is None else error.verdict(f"{error.where}{reported}", expected)

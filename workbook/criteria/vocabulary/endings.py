@@ -19,9 +19,9 @@ WORDS = Words(__file__)
 
 _AFTER_THE_END = ("error.exception", "error.destroyed", "error.context-down")
 _STILL_RUNNING = re.compile(r"^Still running: (?P<thread>.+)$", re.MULTILINE)
-"""A line that `workbook/inside/student_traceback.py` prints."""
+"""Matches a line that `workbook/inside/student_traceback.py` prints."""
 _NOT_CAUGHT = re.compile(r"^(Exception (in|ignored)|Task exception)", re.MULTILINE)
-"""Python prints this for an exception that doesn't end the program: in a thread, a finalizer, or a task."""
+"""Matches a line that Python prints for an exception that doesn't end the program: in a thread, finalizer, or task."""
 
 
 @dataclass(frozen=True)
@@ -93,8 +93,8 @@ _BY_EXIT_CODE = WORDS.rules(
 def exits_cleanly(recording: Recording) -> Verdict:
     """Check that the program ends on Ctrl-C (SIGINT) with exit code 0 and without a traceback.
 
-    If Ctrl-C overtook the shutdown (see `shutdown_overtaken`), the result is undecided, because any program may print
-    the same text. The judge then watches the end again, and only an end without a traceback passes.
+    If Ctrl-C interrupted rclpy's own shutdown (see `shutdown_overtaken`), the result is undecided, because any program
+    could print the same text. The judge then watches the end again, and only an end without a traceback passes.
 
     Needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the end.
     """

@@ -1,4 +1,4 @@
-"""The common errors in ROS programs: how to recognize each, its cause, and what to try. The first match counts."""
+"""List common errors in ROS programs: a pattern for each, its cause, and advice. The first match counts."""
 
 from workbook.criteria.rules import Words
 from workbook.criteria.vocabulary.error_table_of_calls import ERRORS_OF_CALLS, known_errors
@@ -10,7 +10,10 @@ TRY_SHUTDOWN_OVERTAKEN = (
     r"[^\n]*\n"
     r"\S*RCLError: failed to shutdown: rcl_shutdown already called[^\n]*"
 )
-"""Ctrl-C arrived between the check in `rclpy.try_shutdown()` and its shutdown. See `shutdown_overtaken`."""
+"""Matches a traceback from a Ctrl-C between the check in `rclpy.try_shutdown()` and the shutdown itself.
+
+See `shutdown_overtaken`.
+"""
 
 SPIN_OVERTAKEN = (
     r'rclpy/executors\.py", line \d+, in _wait_for_ready_callbacks\n'
@@ -22,16 +25,16 @@ SPIN_OVERTAKEN = (
     r"(?: [^\n]*\n)+"
     r"\S*InvalidHandle: [^\n]*"
 )
-"""The context was shut down just before a spin began to wait. See `shutdown_overtaken`."""
+"""Matches a traceback from a context that was shut down just before a spin began to wait. See `shutdown_overtaken`."""
 
 TAKE_OVERTAKEN = (
     r'rclpy/executors\.py", line \d+, in _take_\w+\n'
     r"(?: [^\n]*\n)+"
     r"RuntimeError: Unable to convert call argument '\d' to Python object[^\n]*"
 )
-"""Ctrl-C arrived while rclpy was creating the message for a callback.
+"""Matches a traceback from a Ctrl-C that arrived while rclpy was creating the message for a callback.
 
-Its C++ part raises this exception for any error in a message class.
+rclpy's C++ part raises this exception for any error in a message class.
 Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/subscription.cpp (Subscription::take_message).
 """
 

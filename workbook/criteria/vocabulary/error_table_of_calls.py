@@ -1,6 +1,6 @@
-"""List the errors that rclpy calls raise.
+"""List errors that rclpy functions raise when they're called wrongly, about QoS, timers, parameters, and so on.
 
-They concern QoS, timers, loggers, parameters, and times. The table is part of `KNOWN_ERRORS`: see `error_table`.
+The table is part of `KNOWN_ERRORS` in `error_table`.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ WORDS = Words(__file__)
 
 @dataclass(frozen=True)
 class KnownError:
-    """An error: the regular expression that recognizes it, and its reason with the cause id."""
+    """An error: the regular expression that recognizes it, and the reason to give, whose id is the cause id."""
 
     reason: Reason
     pattern: str
@@ -24,12 +24,12 @@ class KnownError:
         return self.reason.id
 
     def explained(self) -> tuple[str, str]:
-        """Return the reason for the error, and what to try."""
+        """Return the texts `because` and `try` for this error."""
         return self.reason(limits=ANSWER_LIMITS, writable_mib=WRITABLE_MIB)
 
 
 def known_errors(words: Words, *table: tuple[str, str]) -> tuple[KnownError, ...]:
-    """Build the rows of a table from cause ids and patterns, with the words for each."""
+    """Build the rows of an error table from pairs of a cause id and a pattern. `words`: the catalog with the texts."""
     return tuple(
         KnownError(words.reason(cause, ("limits", "writable_mib")), pattern) for cause, pattern in table
     )

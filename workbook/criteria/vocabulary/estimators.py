@@ -1,4 +1,4 @@
-"""Estimate rates, gaps, and pairs from arrival times, with pure functions that tolerate jitter and a lost message."""
+"""Estimate rates, gaps, and bursts from arrival times. These pure functions tolerate jitter and a lost message."""
 
 import statistics
 from collections.abc import Sequence
@@ -11,7 +11,8 @@ PAIR_FRACTION = 0.2
 class Gap:
     """The longest silence, from `start` to `end` (s).
 
-    `kind`: "before" the first message, "between" two, "after" the last, or "nothing" if none arrived.
+    `kind`: "before" the first message, "between" two messages, "after" the last message, or "nothing" if no message
+    arrived.
     """
 
     start: float
@@ -26,7 +27,10 @@ class Gap:
 
 @dataclass(frozen=True)
 class Pace:
-    """How arrivals are distributed over a window. `hz` is None with fewer than two arrivals."""
+    """How arrivals are distributed over a window: their number, mean rate, median interval, longest gap, and bursts.
+
+    `hz` and `typical_interval` (s) are None if there are fewer than two arrivals.
+    """
 
     count: int
     hz: float | None
@@ -41,14 +45,14 @@ class Pace:
 
 
 def mean_rate(times: Sequence[float]) -> float | None:
-    """Return the mean rate (Hz) between the first and the last arrival; None with fewer than two."""
+    """Return the mean rate (Hz) between the first and last arrivals; None unless there are two different times."""
     if len(times) < 2 or times[-1] <= times[0]:
         return None
     return (len(times) - 1) / (times[-1] - times[0])
 
 
 def longest_gap(times: Sequence[float], start: float, end: float) -> Gap:
-    """Return the longest silence within [start, end], including those at the edges."""
+    """Return the longest silence within [start, end] (s), including the silences before and after all arrivals."""
     if not times:
         return Gap(start, end, "nothing")
     gaps = [Gap(start, times[0], "before")]
@@ -71,7 +75,7 @@ def group_starts(times: Sequence[float], near: float) -> list[float]:
 def burst_size(times: Sequence[float], period: float) -> int:
     """Return how many messages typically arrive together: 1 for an even stream, 2 for pairs.
 
-    Arrivals less than a fifth of `period` (s) apart belong together. A stream that is simply faster than that counts as
+    Arrivals at most a fifth of `period` (s) apart belong together. If all messages are that close, the stream counts as
     even, not as one endless burst.
     """
     if len(times) < 4:

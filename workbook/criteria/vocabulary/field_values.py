@@ -1,4 +1,7 @@
-"""Explain a value that doesn't fit its field. `workbook/inside/field_values.py` adds the line that describes it."""
+"""Explain errors about a value that doesn't fit its field.
+
+They're recognized by a line that `workbook/inside/field_values.py` adds to the traceback.
+"""
 
 import re
 from dataclasses import dataclass
@@ -19,7 +22,10 @@ _UNKNOWN = WORDS.reason("error.unknown-field", ("message", "names"))
 
 @dataclass(frozen=True)
 class Misfit:
-    """A field of one type, and a value of another type that was assigned to it."""
+    """A message field and a value that doesn't fit it.
+
+    `message`: the message class. `kind`: the field's ROS type. `given`: the value's Python type.
+    """
 
     field: str
     message: str
@@ -34,7 +40,7 @@ class Misfit:
 
     @property
     def short_kind(self) -> str:
-        """The type without its package."""
+        """The field's type without its package."""
         return self.kind.rpartition("/")[2]
 
 
@@ -59,13 +65,19 @@ _MISFITS = [
 
 
 def unknown_field(told: str) -> tuple[str, str] | None:
-    """Return why a message has no such field, and what to try; None if the error doesn't say."""
+    """Return the texts `because` and `try` for a field that a message doesn't have; None for other errors.
+
+    `told`: the error with the lines around it (see `Raised.told`).
+    """
     found = _FIELDS.search(told)
     return found and _UNKNOWN(message=found["message"], names=found["names"].split(", "))
 
 
 def value_that_misfits(told: str) -> tuple[str, str] | None:
-    """Return why a value doesn't fit its field, and what to try; None if the error doesn't say."""
+    """Return the texts `because` and `try` for a value that doesn't fit its field; None for other errors.
+
+    `told`: the error with the lines around it (see `Raised.told`).
+    """
     found = _NOTE.search(told)
     if found is None:
         return None

@@ -1,4 +1,4 @@
-"""Explain topics with far too many messages: published without a pause, or growing in number."""
+"""Explain topics with far too many messages, which are published without a pause or at a growing rate."""
 
 from itertools import pairwise
 
@@ -13,11 +13,11 @@ WORDS = Words(__file__)
 PARTS = 4
 LEAST = 8
 TOO_MANY = 1.5
-"""This many times the messages due, and at least `LEAST` messages: fewer don't show growth."""
+"""Growth is judged only if more messages arrive than this many times the number due, and at least `LEAST`."""
 FEW_AT_FIRST = 50
-"""A topic whose traffic grows starts with at most this many messages in its first period."""
+"""Growth is judged only if at most this many messages arrive in the topic's first period."""
 GROWS = 3.0
-"""Its last part has at least this many times the messages of its first part."""
+"""A topic grows if its last part has at least this many times the messages of its first part (of `PARTS`)."""
 
 _GROWS = WORDS.cause("rate.grows", ("expected", "counts", "part_s"), about_time=True)
 _WITHOUT_A_PAUSE = WORDS.cause(

@@ -1,4 +1,4 @@
-"""Names from another ROS version or a full installation: where each comes from, and what to use here instead."""
+"""Explain names that don't exist here, but in ROS 1, a full installation of ROS 2, or another Python package."""
 
 import re
 from collections.abc import Mapping
@@ -34,7 +34,7 @@ _MODULES = (
         "imutils dlib face_recognition pyttsx3 speech_recognition board busio adafruit_servokit",
     ),
 )
-"""Modules, by catalog entry: ROS packages in a Jazzy desktop but not in the wheels, ROS 1 modules, and PyPI packages.
+"""Modules by catalog entry: Jazzy desktop packages that aren't in the wheels, ROS 1 modules, and PyPI packages.
 
 Source of the ROS packages: https://www.ros.org/reps/rep-2001.html.
 """
@@ -43,14 +43,14 @@ _WITH_AN_ENTRY = {
     "ros-1": "rospy roscpp roslib rosgraph rosnode rostopic rosparam rosservice dynamic_reconfigure",
     "python": "cv",
 }
-"""More packages, each with an entry under its own name."""
+"""More modules by catalog section. Each of them has an entry under its name."""
 _OF_RCLPY = {
     "rospy": "Rate sleep Timer Time get_time get_rostime Duration init_node Publisher Subscriber Subscription Service "
     "ServiceProxy wait_for_service wait_for_message get_param set_param has_param get_name get_namespace get_caller_id "
     "is_shutdown on_shutdown signal_shutdown",
     "rospy-class": "ROSInterruptException ROSException ServiceException Message AnyMsg",
 }
-"""rospy names that students look for in rclpy."""
+"""rospy names that students look for in rclpy, by catalog section."""
 
 
 def _own(sections: Mapping[str, str]) -> dict[str, Reason]:
@@ -78,9 +78,9 @@ _SERVICES = re.compile(r"No module named '(?:std|geometry|sensor|nav)_msgs\.srv'
 
 
 def foreign_name(error: str) -> tuple[str, str, str] | None:
-    """Return the cause id for a name from elsewhere, where the name comes from, and what to use here.
+    """Return the cause id for a name from elsewhere, and the texts `because` and `try`.
 
-    The result is None for any other name.
+    The result is None if the error isn't about such a name.
     """
     if _SERVICES.search(error):
         return "error.name-in-other-module", *_OF_STD_SRVS()

@@ -15,8 +15,8 @@ from workbook.recording.recording import Recording
 class Beats:
     """The beats that arrived, how many were due, and the longest silence.
 
-    `times`: arrival times (s of simulated time). `typical_s`: the typical interval (s) between two beats; 0 with fewer
-    than two. `burst`: how many beats typically arrive together.
+    `times`: arrival times (simulated time, s). `hz`: the expected rate. `typical_s`: the typical interval (s) between
+    two beats; 0 if there are fewer than two. `burst`: how many beats typically arrive together.
     """
 
     times: tuple[float, ...]
@@ -33,21 +33,24 @@ class Beats:
 
     @property
     def last_s(self) -> float:
-        """The time of the last beat (s); 0 without any."""
+        """The time of the last beat (s); 0 if there is none."""
         return self.times[-1] if self.times else 0.0
 
     @property
     def share(self) -> float:
-        """The number of beats that arrived, divided by the number due; more than 1 if there were too many."""
+        """The number of beats that arrived, divided by the number due. It's more than 1 if there were too many."""
         return self.count / max(1, self.due)
 
     def within(self, spans: Sequence[tuple[float, float]]) -> list[int]:
-        """Count the beats in each span (start and end in s), such as the spans in which the program is busy."""
+        """Count the beats in each span of time, such as the spans in which the program is busy.
+
+        A span is a pair of its start and end (s).
+        """
         times = sorted(self.times)
         return [max(0, bisect_right(times, end) - bisect_left(times, begin)) for begin, end in spans]
 
     def due_within(self, spans: Sequence[tuple[float, float]]) -> float:
-        """Compute how many beats are due in these spans in total."""
+        """Return how many beats are due in all of these spans together."""
         return sum(end - begin for begin, end in spans) * self.hz
 
 

@@ -21,7 +21,11 @@ from workbook.recording.recording import Recording
 
 @dataclass(frozen=True)
 class ProgramError:
-    """An error that ended (or crippled) a program: its last line, line number, cause id, reason, and what to try."""
+    """An error that ended or crippled a program, with its explanation.
+
+    `error`: the traceback's last line. `line`: the line number in the student's file, or None. `cause`: the cause id.
+    `because` and `try_this`: the texts of the explanation.
+    """
 
     error: str
     line: int | None
@@ -31,7 +35,7 @@ class ProgramError:
 
     @property
     def where(self) -> str:
-        """The line number as a prefix for a message, "line 12: "; empty if unknown."""
+        """The line number as a prefix for a message, such as "line 12: "; empty if it's unknown."""
         return f"line {self.line}: " if self.line is not None else ""
 
     def verdict(self, saw: str, expected: str, *, about_time: bool = False) -> Verdict:
@@ -41,9 +45,9 @@ class ProgramError:
 
 _SAYS_NOT_WHICH_NAME = (UNKNOWN_ERROR.cause, "error.module-without-name", "error.import-not-found")
 AN_ERROR_ENDED_IT = "; an error ended the program"
-"""The end of a `saw` before the error that ended the program."""
+"""The clause that connects the text `saw` to the error that ended the program."""
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
-"""PyTorch and others start threads through OpenMP, which ends the process if the kernel refuses one."""
+"""Matches the error with which OpenMP ends a process, such as PyTorch's, if the kernel refuses a new thread."""
 _EXECUTOR_LEFT = re.compile(
     r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
     + re.escape(TRACEBACK)
@@ -60,8 +64,8 @@ _EXECUTOR = "/rclpy/executors.py"
 def find_error(log: str, program_name: str = "") -> ProgramError | None:
     """Return the Python error to blame in a program's log, with an explanation; None if there is none.
 
-    Of several errors, it's the main program's last one, and in a chain, the first one: see `main_one` and
-    `first_cause`. If `program_name` is known, the line number comes only from frames in that file.
+    If there are several errors, return the main program's last one (see `main_one`). In a chain of exceptions, return
+    the first one (see `first_cause`). If `program_name` is given, only frames in that file determine the line number.
     """
     log = without_executors_end(log)
     chains = chains_in(log)
@@ -79,9 +83,9 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
 
 
 def _error_of_library(log: str) -> ProgramError | None:
-    """Return the log's last line as an error if OpenMP explains in it why it ended the program.
+    """Return the log's last line as an error if it's OpenMP's reason for ending the program, otherwise None.
 
-    Such an end has no traceback. The result is None for any other log.
+    A program that ends this way prints no traceback.
     """
     lines = log.strip().splitlines()
     return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
@@ -111,9 +115,10 @@ def _explained(error: str, told: str, line: int | None, *, own: bool = False) ->
 def without_executors_end(log: str) -> str:
     """Return the log without the lines that rclpy prints at the end of a correct program.
 
-    - "Exception ignored in Executor.__del__": Python may collect an executor's guard condition before the executor,
-      whose finalizer then tries to destroy it again. This was seen twice in a few thousand ends.
-    - "Exception in thread" from a thread that spins while another one shuts the context down: see `shutdown_overtaken`.
+    - "Exception ignored in Executor.__del__": Python may collect an executor's guard condition before the executor.
+      The executor's finalizer then tries to destroy the guard condition again. We saw this twice in a few thousand
+      runs.
+    - "Exception in thread", if a thread spins while another thread shuts the context down (see `shutdown_overtaken`).
 
     Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__, Executor.shutdown).
     """
@@ -121,9 +126,9 @@ def without_executors_end(log: str) -> str:
 
 
 def failed_while_spinning(log: str) -> bool:
-    """Return whether the last Python error in a log came from a callback.
+    """Return whether the last Python error in a log surfaced while the program was spinning, as in a callback.
 
-    In that case, the traceback contains rclpy's executor.
+    In that case, the traceback contains a frame of rclpy's executor.
     """
     found = main_one(chains_in(without_executors_end(log)), "")
     return found is not None and any(frame["file"].endswith(_EXECUTOR) for frame in found.frames())
@@ -132,12 +137,14 @@ def failed_while_spinning(log: str) -> bool:
 def shutdown_overtaken(log: str) -> bool:
     """Return whether a log's only error is that Ctrl-C shut the context down in the middle of rclpy's own work.
 
-    `rclpy.try_shutdown()` checks whether the context is up, and then shuts it down. A spin checks whether it's up, and
-    then waits. In between, rclpy's thread that handles Ctrl-C may shut the context down. A correct program then ends
-    with a traceback and exit code 1. Measured: `try_shutdown` failed in 4 of about 550 ends, on two processors with
-    work for ten. A Ctrl-C that arrives while rclpy creates a message leads to a different error: see `TAKE_OVERTAKEN`.
-    Because any program can print this text, it's a reason to try again (`workbook.exercise.inconclusive`), but never a
-    reason to forgive. Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
+    `rclpy.try_shutdown()` checks whether the context is valid, and then shuts it down. A spin checks whether the
+    context is valid, and then waits. Between the two steps, rclpy's thread that handles Ctrl-C may shut the context
+    down. A correct program then ends with a traceback and exit code 1. In our measurement, `try_shutdown` failed in 4
+    of about 550 runs, on two processors with work for ten. A Ctrl-C that arrives while rclpy creates a message leads to
+    a different error (see `TAKE_OVERTAKEN`). Because any program can print this text, it's a reason to judge the
+    program again (`workbook.exercise.inconclusive`), but never a reason to let it pass.
+
+    Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
     https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor._wait_for_ready_callbacks).
     """
     log = without_executors_end(log)
@@ -154,7 +161,7 @@ def failed_by_error(
 ) -> Verdict | None:
     """Return a failed verdict that blames the last Python error in the program's log; None if there is none.
 
-    `saw` says what is missing because of the error, which is appended to it.
+    `saw` says what is missing because of the error. The error is appended to it.
     """
     error = last_error(recording)
     if error is None:
@@ -166,8 +173,8 @@ def failed_by_error(
 def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:
     """Return a failed verdict that blames the last Python error after Ctrl-C.
 
-    The result is None if there is no error, or only rclpy's own. `saw` says what is missing because of the error, which
-    is appended to it.
+    The result is None if there is no error, or only an error in rclpy's own shutdown. `saw` says what is missing
+    because of the error. The error is appended to it.
     """
     process = recording.process
     error = None if shutdown_overtaken(process.end_log) else find_error(process.end_log, process.program)

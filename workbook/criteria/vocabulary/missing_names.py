@@ -1,4 +1,7 @@
-"""Explain a name that an object or module lacks. `workbook/inside/missing_names.py` adds the line with the details."""
+"""Explain errors about a name that an object or module lacks.
+
+For many of them, `workbook/inside/missing_names.py` adds a line with details to the traceback.
+"""
 
 import re
 
@@ -39,9 +42,10 @@ _NO_ATTRIBUTE = WORDS.reason("error.no-such-attribute", ("name", "kind"))
 
 
 def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | None:
-    """Return the cause id for a missing name, the reason, and what to try; None for other errors.
+    """Return the cause id for a missing name, and the texts `because` and `try`; None for other errors.
 
-    `own`: the name was looked up by the program itself, not by a library that it called.
+    `told`: the error with the lines around it (see `Raised.told`). `own`: whether the program itself looked it up,
+    not a library.
     """
     noted = _noted(told)
     if noted is not None:
@@ -56,9 +60,9 @@ def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | 
 
 
 def _noted(told: str) -> tuple[str, str, str] | None:
-    """Return the cause for the line that the host added; None if it added none.
+    """Return the cause id and texts for the line that the program's host added; None if it added no line.
 
-    It's about a keyword or method from elsewhere, or an attribute that is set wrongly.
+    Such a line is about a keyword or method that belongs elsewhere, or an attribute that is set late or overwritten.
     """
     if keywords := _KEYWORDS.search(told):
         return _explained(_KEYWORD, function=keywords["function"], names=keywords["names"])

@@ -1,4 +1,4 @@
-"""Explain mypy's findings in an answer: why mypy objects, and what to do. The first matching reason counts."""
+"""Explain why mypy objects to code in an answer, and what to try. The first matching reason counts."""
 
 from workbook.criteria.rules import Reason, Words
 from workbook.recording.recording import Finding
@@ -27,11 +27,11 @@ REASONS = tuple(
         ("mypy.syntax", "syntax", ""),
     )
 )
-"""Each reason applies to findings with this code whose message contains this text."""
+"""Rows of a reason, a code, and a text. The reason applies to findings with this code whose message has this text."""
 OTHER = WORDS.reason("mypy.other")
 
 
 def reason_for(finding: Finding) -> Reason:
-    """Return the likely reason for a mypy finding, and one next step."""
+    """Return the likely reason for a mypy finding, which includes one next step."""
     fitting = (reason for reason, code, part in REASONS if finding.code == code and part in finding.message)
     return next(fitting, OTHER)

@@ -1,4 +1,4 @@
-"""Judge a program's nodes on the graph."""
+"""Judge which of a program's nodes are in the graph."""
 
 import difflib
 from collections.abc import Collection, Mapping
@@ -16,7 +16,10 @@ WORDS = Words(__file__)
 
 @dataclass(frozen=True)
 class _Wanted:
-    """A node that should be on the graph, and the nodes found there. `other`: the one to compare with."""
+    """A node that should be in the graph, and the nodes that are. `beside` and `how`: see `on_the_graph`.
+
+    `other`: the name of the found node to compare with.
+    """
 
     wanted: str
     found: Mapping[str, NodeSeen]
@@ -34,7 +37,7 @@ class _Wanted:
 
     @property
     def duplicate(self) -> str | None:
-        """The name of another required node that is on the graph more than once; None if there is none."""
+        """The name of another required node that is in the graph more than once; None if there is none."""
         return next((name for name in self.beside if name in self.found and self.found[name].most > 1), None)
 
     @property
@@ -88,10 +91,10 @@ _CUT_OFF = WORDS.cause("nodes-gone-at-end.cut-off", ("left",))
 def on_the_graph(
     recording: Recording, name: str, *, beside: Collection[str] = (), how: str | None = None
 ) -> Verdict:
-    """Check that exactly one node with the fully qualified name `name`, such as "/robot/left_camera", is on the graph.
+    """Check that the graph contains exactly one node named `name` (fully qualified, such as "/robot/left_camera").
 
-    `beside`: the exercise's other nodes, so that none of them looks like a misspelled `name`. `how`: what to do if the
-    node has a different name.
+    `beside`: the exercise's other nodes, so that none of them is mistaken for a misspelling of `name`. `how`: advice
+    for the student if the node has a different name.
     """
     found = {node.name: node for node in recording.nodes}
     node = _Wanted(name, found, beside, how or _how(name))
@@ -109,7 +112,7 @@ def _how(name: str) -> str:
 
 
 def nodes_gone_at_end(recording: Recording) -> Verdict:
-    """Check that none of the program's nodes is left on the graph after the program has ended.
+    """Check that none of the program's nodes remains in the graph after the program ends.
 
     Needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the end.
     """

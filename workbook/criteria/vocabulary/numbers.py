@@ -18,9 +18,13 @@ from workbook.recording.recording import Recording
 WORDS = Words(__file__)
 
 LEAST_OTHERS, STANDS_OUT = 4, 3.0
-"""A 0.0 among at least this many other numbers stands out if it's this many of their largest steps away from one."""
+"""When a 0.0 stands out among the other numbers (see `_zero_that_stands_out`).
+
+There must be at least the first many other numbers. The step between the 0.0 and its neighbor must exceed the largest
+step between two other numbers by more than the second factor.
+"""
 RARELY = 0.25
-"""Up to this share of messages, a rise counts as an exception in a level that otherwise falls."""
+"""If at most this share of the messages rise, the rises count as exceptions in a level that otherwise falls."""
 _NOT_FINITE = WORDS.cause("finite.not-finite", ("bad",))
 _ZERO = WORDS.cause("really-arrives.zero", ("topic", "where"), recheck_fields=True)
 _ZERO_BY_TYPE = WORDS.seen("really-arrives.by-type", ("topic", "where"))
@@ -43,13 +47,15 @@ def finite(recording: Recording, topic: Topic) -> Verdict:
 def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     """Check that numbers arrive unchanged: the first one isn't 0.0, and no 0.0 is followed by another number.
 
-    It's for a quantity that starts above zero and never recovers from zero, such as a charge. A failure usually means
-    that a value isn't a Python float, because the message packages in these wheels send such a value as 0.0.
+    Use this for a quantity that starts above zero and never recovers from zero, such as a charge. A failure usually
+    means that the program assigned a value that isn't a Python float. The message packages in these wheels send such a
+    value as 0.0.
     """
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     zeros = [place for place, value in enumerate(seen) if value == 0.0]
     followed = [place for place in zeros if any(value != 0.0 for value in seen[place:])]
-    meant = said_by_field_checks(recording) == "" and seen[:1] != [0.0]  # other criteria judge a rise
+    # If the field checks found no wrong type, the zeros are meant. Other criteria judge a rise after them.
+    meant = said_by_field_checks(recording) == "" and seen[:1] != [0.0]
     if meant or (not followed and (not seen or seen[0] != 0.0)):
         return passed(
             f"numbers arrive unchanged; the first is {number(seen[0])}" if seen else "no numbers in it"
@@ -62,7 +68,7 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
 
 @if_messages
 def given_floats(recording: Recording, topic: Topic) -> Verdict:
-    """Check that zeros are really 0.0, and not values of a wrong type in a float field."""
+    """Check that zeros in a float field were really assigned as 0.0, and aren't values of a wrong type."""
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     if not seen or said_by_field_checks(recording) == "":
         return passed("its numbers are floats")
@@ -78,9 +84,9 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
 
 
 def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
-    """Return the index of the first 0.0 that is much farther from its neighbors than other numbers are from theirs.
+    """Return the index of the first 0.0 that is unusually far from its neighbor; None if there is none.
 
-    The result is None if there is none.
+    Unusually far means `STANDS_OUT` times as far as any two other numbers in a row.
     """
     others = [value for value in seen if value != 0.0]
     if len(others) < LEAST_OTHERS:
@@ -97,9 +103,9 @@ def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
 
 
 def _zero_that_stays(seen: Sequence[float]) -> int | None:
-    """Return the index of the first of several 0.0 that follow a topic's last other number; None if there is none.
+    """Return the index of the first 0.0 after a topic's last other number; None unless several zeros follow it.
 
-    One cause is `max(0, level)`, which returns an int once the level is below zero.
+    One cause of such zeros is `max(0, level)`, which returns an int once the level is below zero.
     """
     last = max(place for place, value in enumerate(seen) if value != 0.0)
     return last + 1 if len(seen) - last > 2 else None
@@ -120,7 +126,7 @@ def _zeros(recording: Recording, topic: Topic, where: str) -> Verdict:
 
 
 def _bound(value: float, pi: str = "π") -> str:
-    """Return a bound as people write it. Rounded to digits, π could exceed its own bound."""
+    """Return a bound as text, with ±π as the symbol, because a rounded π could be larger than π."""
     if math.isclose(abs(value), math.pi):
         return f"-{pi}" if value < 0 else pi
     return number(value)
@@ -154,20 +160,20 @@ class _Outside:
 
     @cached_property
     def column(self) -> list[object]:
-        """The values at this index, in this and all later messages."""
+        """The values at the index of `bad`, in its message and all later ones."""
         later = values(self.recording, self.topic)[self.bad.message - 1 :]
         return [(elements(value)[self.bad.place or 0 :] or [None])[0] for value in later]
 
     @property
     def keeps_growing(self) -> bool:
-        """Whether the value keeps moving away from the range, in the direction in which it left, until the end."""
+        """Whether the value keeps moving away from the range until the end of the recording."""
         sign = math.copysign(1.0, self.bad.value)
         numbers = [sign * value for value in self.column if isinstance(value, (int, float))]
         return all(before <= after for before, after in pairwise(numbers))
 
     @property
     def back_at_the_limit(self) -> bool:
-        """Whether the next message is back at the limit that this message exceeded."""
+        """Whether the value in the next message is exactly the limit that `bad` exceeded."""
         return self.column[1:2] == [self.low if self.bad.value < self.low else self.high]
 
 
@@ -187,7 +193,7 @@ _OUTSIDE = WORDS.rules(
 def within(
     recording: Recording, topic: Topic, low: float, high: float, unit: str = "", slack: float = 1e-6
 ) -> Verdict:
-    """Check that every value is in [low, high]. `slack` allows for rounding to 32 bits. NaN is left to `finite`."""
+    """Check that every value is in [low, high]. `slack` allows for rounding to 32 bits. NaN passes; see `finite`."""
     least, most = low - slack, high + slack
     bad = first_offender(recording, topic, lambda x: isinstance(x, (int, float)) and (x < least or x > most))
     unit = f" {unit}" if unit else ""
@@ -198,7 +204,7 @@ def within(
 
 @if_messages
 def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verdict:
-    """Check that no value is larger than the previous one; `slack` allows for rounding."""
+    """Check that no value is larger than the previous one. `slack` allows for rounding."""
     numbers = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     rises = [index for index, (before, after) in enumerate(pairwise(numbers)) if after > before + slack]
     if rises:

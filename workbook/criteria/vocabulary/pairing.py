@@ -28,9 +28,9 @@ def script(recording: Recording, topic: str) -> list[Published]:
 def latest_before(inputs: Iterable[tuple[float, In]], published: float) -> In | None:
     """Return the last input before an output was published; None if there was none.
 
-    `inputs`: pairs of arrival time (wall time in s) and input, in any order, such as `wall` of the messages from
-    `published`. Of two with equal times, the second one counts as later. `published`: the wall time (s) at which the
-    output was published, which is an arrival's `published`.
+    `inputs`: pairs of a wall time (s) and an input, in any order. For the messages from the function `published`, the
+    time is their `wall`. Of two inputs with equal times, the second counts as later. `published`: the wall time (s) at
+    which the output was published, such as an arrival's `published`.
     """
     latest = None
     for at, one in inputs:
@@ -48,10 +48,10 @@ def pair_in_order(
     may_be_extra: Callable[[Out], bool] = lambda _: False,
     excusable: Callable[[In], bool] = lambda _: False,
 ) -> list[tuple[In, Out]] | None:
-    """Pair inputs and outputs one to one, in order; None if they don't fit.
+    """Pair inputs with outputs, one to one and in order. Return the pairs, or None if they don't fit.
 
-    Every input needs an output that belongs to it, unless it `may_be_missing`, or is the only `excusable` one without
-    an output. All outputs after the last pair must satisfy `may_be_extra`.
+    Every input needs an output that `belongs` to it, unless `may_be_missing` is true for that input. In addition, one
+    input for which `excusable` is true may lack an output. Outputs after the last pair must satisfy `may_be_extra`.
     """
     table = _looked_up(inputs, outputs, belongs, may_be_missing, excusable)
     last = len(outputs)
@@ -71,9 +71,9 @@ def pair_in_order(
     return pairs
 
 
-# A set of outputs is an integer. Bit j stands for outputs[j], or says that the first j outputs can be paired.
+# Sets of outputs are integers. Bit j stands for outputs[j], or means that exactly the first j outputs can be paired.
 _Row = tuple[int, bool, bool]
-"""For an input: the outputs that belong to it, whether it may be missing, and whether it can be the excused one."""
+"""For one input: the outputs that belong to it, whether it may lack an output, and whether it can be excused."""
 
 
 def _looked_up(
@@ -83,8 +83,12 @@ def _looked_up(
     may_be_missing: Callable[[In], bool],
     excusable: Callable[[In], bool],
 ) -> list[_Row] | None:
-    """Return a row for each input, covering the outputs that can be reached; None once none can be reached."""
-    plain, excused = 1, 0  # reached by the inputs so far: without the excuse, and after using it
+    """Return a row for each input, limited to outputs that can be reached.
+
+    An output can be reached if all earlier inputs and outputs can be paired. Return None if an input can reach none.
+    """
+    # How many outputs the inputs so far can be paired with: without the excuse, and after using it.
+    plain, excused = 1, 0
     table = []
     for one in inputs:
         places = (j for j in _bits_of(plain | excused) if j < len(outputs) and belongs(one, outputs[j]))
@@ -101,11 +105,12 @@ def _looked_up(
 
 
 def _from_where_it_fits(table: Sequence[_Row], outputs: int, last: int) -> list[tuple[int, int]] | None:
-    """Return, after each input, the positions from which the rest can be paired: without the excuse, and with it.
+    """Return, for the moment after each input, the positions from which the remaining inputs can be paired.
 
-    The result is None if the whole can't be paired.
+    Each entry has the positions while the excuse is still available, and the positions after it was used. The result is
+    None if the inputs can't be paired from the start.
 
-    `last`: the index from which all `outputs` may be extra.
+    `outputs`: the number of outputs. `last`: the index from which on all outputs may be extra.
     """
     plain = excused = (1 << outputs + 1) - (1 << last)
     fits = []
@@ -119,7 +124,7 @@ def _from_where_it_fits(table: Sequence[_Row], outputs: int, last: int) -> list[
 
 
 def _bits_of(number: int) -> Iterator[int]:
-    """Return the positions of a number's 1 bits, from the lowest."""
+    """Return the positions of a number's 1 bits, lowest first."""
     lowest = (number & -number).bit_length() - 1
     digits = bin(number >> lowest)[:1:-1]
     return (place for place, digit in enumerate(digits, lowest) if digit == "1")

@@ -9,16 +9,16 @@ SMALLEST, LARGEST = 1e-9, 1e12
 
 
 def number(value: float) -> str:
-    """Return a number as a person would write it.
+    """Return a number as text, as a person would write it: at most four significant digits, and seldom an exponent.
 
-    Examples are 0.5, 12, 3.142, and 137000. Only absurd numbers, such as 1e38, have an exponent.
+    Examples are 0.5, 12, 3.142, and 137000. Only extreme numbers, such as 1e38, have an exponent.
     """
     text = f"{value:.4g}"
     return f"{Decimal(text):f}" if "e" in text and SMALLEST <= abs(value) < LARGEST else text
 
 
 def hertz(value: float) -> str:
-    """Return a measured rate in Hz, rounded to the precision that a few messages allow: 0.5, 1.1, 100."""
+    """Return a measured rate (Hz) as text, with two significant digits, because a few messages allow no more."""
     return f"{float(f'{value:.2g}'):g}"
 
 
@@ -28,7 +28,7 @@ def seconds(value: float) -> str:
 
 
 def listing(names: Sequence[str]) -> str:
-    """Return names as an English list. A very long list is cut to its first names and the number of the others."""
+    """Return names as an English list. A very long list is cut to its first names and the number of remaining names."""
     if len(names) > MOST_NAMES + 1:
         names = [*names[:MOST_NAMES], f"{len(names) - MOST_NAMES} more"]
     if len(names) < 2:

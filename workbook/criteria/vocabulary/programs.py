@@ -20,11 +20,14 @@ from workbook.recording.recording import ProcessRecord, Recording
 WORDS = Words(__file__)
 
 AT_ONCE_S = 8.0
-"""How long (s) a program may take to start on a very busy machine."""
-A_ROUND_S = 0.95
-"""The judge has certainly seen a program that spun for this long (s).
+"""An error within this time (s) of the start may have ended the program while it was starting.
 
-Before that, it's a matter of chance whether the judge saw its publishers.
+On a very busy machine, a program may take that long to start.
+"""
+A_ROUND_S = 0.95
+"""If a program spun for at least this long (s), the judge has certainly seen its publishers.
+
+Before that, it's a matter of chance whether the judge saw them.
 """
 ANOTHER_MIDDLEWARE = "Expected RMW implementation identifier"
 """The message that rcl logs before it ends a program with exit code 102."""
@@ -32,7 +35,7 @@ ANOTHER_MIDDLEWARE = "Expected RMW implementation identifier"
 
 @dataclass(frozen=True)
 class _Program:
-    """A program, and its nodes and publishers on the graph."""
+    """A program, and its nodes and publishers in the graph."""
 
     recording: Recording
 
@@ -87,9 +90,9 @@ _ENDED_BY_ITSELF = WORDS.cause("alive-at-end.ended", _Program)
 
 @criterion(points=0, title="Your program runs and its node is on the graph")
 def program_runs(recording: Recording) -> Verdict:
-    """Check that the program starts, and that its node or one of its publishers appears on the graph.
+    """Check that the program starts, and that its node or one of its publishers appears in the graph.
 
-    This is already a criterion, worth no points. To let others need it, import it into a criteria file:
+    This is already a criterion, worth no points. So that other criteria can need it, import it into a criteria file:
     `from workbook.criteria import program_runs`.
     """
     forged = forged_report(recording)
@@ -116,7 +119,7 @@ def program_runs(recording: Recording) -> Verdict:
 
 
 def _runs_unseen(one: _Program) -> Verdict:
-    """Return why a program that is still running has no lasting node or publisher on the graph."""
+    """Return a failed verdict for a program that is still running without a lasting node or publisher in the graph."""
     early = initialized_again(one.recording, *_NOT_SEEN(one)) or _NOT_THERE.first(one)
     if early is not None:
         return early
@@ -129,9 +132,9 @@ def _runs_unseen(one: _Program) -> Verdict:
 def _got_going(recording: Recording) -> bool:
     """Return whether a message arrived, or a publisher appeared and stayed while the program ran.
 
-    A program that fails in its first lines may briefly show publishers and send one message per topic, but it never got
-    going. A program that fails in a callback was running, even if its timer had fired only once. How many of its
-    messages arrived before the end is a matter of chance.
+    A program that fails in its first lines may briefly have publishers and send one message per topic, but it doesn't
+    count as running. A program that fails in a callback does count, even if its timer had fired only once. How many of
+    its messages arrived is a matter of chance.
     """
     topics = recording.topics.values()
     if _failed_at_once(recording):
@@ -139,7 +142,7 @@ def _got_going(recording: Recording) -> bool:
     if any(topic.arrivals or topic.undecodable or topic.not_kept for topic in topics):
         return True
     if recording.published or recording.calls:
-        return bool(recording.nodes)  # one that received messages may have nothing to publish yet
+        return bool(recording.nodes)  # a program that only responds may have nothing to publish yet
     if recording.process.ended_by == "itself":
         return failed_while_spinning(recording.process.log) and any(topic.publishers for topic in topics)
     return any(publisher.last_seen is None for topic in topics for publisher in topic.publishers)
@@ -148,7 +151,8 @@ def _got_going(recording: Recording) -> bool:
 def _failed_at_once(recording: Recording) -> bool:
     """Return whether an error ended the program right away.
 
-    That means that no topic had a second message, and that the program had spun for less than a second.
+    That means that it ended within `AT_ONCE_S`, no topic had a second message, and the program hadn't spun for
+    `A_ROUND_S`.
     """
     process = recording.process
     if process.ended_by != "itself" or find_error(process.log, process.program) is None:
@@ -171,7 +175,7 @@ def ended_by_error(recording: Recording, saw: str, expected: str) -> Verdict | N
     """
     if recording.process.ended_by != "itself":
         return None
-    missing = saw.partition(AN_ERROR_ENDED_IT)[0]  # a rate may have named the same error
+    missing = saw.partition(AN_ERROR_ENDED_IT)[0]  # the verdict of `rate` may already quote the same error
     return failed_by_error(recording, f"{missing}{AN_ERROR_ENDED_IT}", expected)
 
 

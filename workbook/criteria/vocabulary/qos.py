@@ -14,12 +14,12 @@ from workbook.recording.script import Publishes
 WORDS = Words(__file__)
 
 LONG_ENOUGH_S = 3600.0
-"""A message that is kept for at least an hour counts as kept for late subscriptions."""
+"""A lifespan (s) of at least one hour is long enough for late subscriptions."""
 
 
 @dataclass(frozen=True)
 class _Request:
-    """The QoS that a subscription requests, and the QoS that it's offered."""
+    """The QoS that a subscription requests, and the QoS that the script's publisher offers."""
 
     asked: SubscriberSeen
     offered: Publishes
@@ -58,9 +58,9 @@ _NOT_DELIVERED = WORDS.cause("kept-for-latecomers.not-delivered", ("topic",))
 
 
 def hears(recording: Recording, offered: Publishes) -> Verdict:
-    """Check that the program subscribes to the script's topic.
+    """Check that the program subscribes to the topic of `offered`, a part of the script, with the right type and QoS.
 
-    The type must match, and the QoS must be compatible with the script's.
+    The subscription's QoS must be compatible with the QoS that the script's publisher offers.
     """
     topic = Topic(offered.topic, offered.type)
     listening = listens(recording, topic)
@@ -73,11 +73,10 @@ def hears(recording: Recording, offered: Publishes) -> Verdict:
 
 
 def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
-    """Check that every publisher of `topic` keeps its last message for late subscriptions.
+    """Check that every publisher on `topic` keeps its last message for late subscriptions.
 
-    Each must be reliable and transient local.
-
-    If any message was published, a subscription that the judge made after the watch must also have received one.
+    Each publisher must be reliable and transient local, and a lifespan must be at least `LONG_ENOUGH_S`. If the judge
+    subscribed late, after the watch, it must also have received a message.
     """
     published = publishes(recording, topic)
     if not published.ok:

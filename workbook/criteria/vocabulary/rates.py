@@ -31,9 +31,9 @@ FIRST_LATE_PERIODS = 1.2
 
 @dataclass(frozen=True)
 class _Rhythm:
-    """The rhythm of a topic's messages, compared with its rate.
+    """The rhythm of a topic's messages, compared with the required rate.
 
-    `counted`: compute the rate as the number of messages divided by the time watched.
+    `counted`: compute the rate as the number of messages divided by the time watched, not from the intervals.
     """
 
     recording: Recording
@@ -122,9 +122,9 @@ class _Rhythm:
 
     @cached_property
     def change(self) -> tuple[str, float, str] | None:
-        """The interval before, the moment (s), and the interval after a change from one even pace to another.
+        """A change from one even pace to another: the interval before it, its time (s), and the interval after it.
 
-        None if there was no such change.
+        None if there was no such change. The intervals are texts.
         """
         intervals = self.intervals
         at_first = median(intervals[:LEAST_INTERVALS]) if intervals else 0.0
@@ -141,12 +141,12 @@ class _Rhythm:
 
     @property
     def can_tell(self) -> bool:
-        """Whether the steps of simulated time are short enough to measure this rate: a timer fires once per step."""
+        """Whether the steps of simulated time are short enough to measure this rate, as a timer fires once per step."""
         return self.recording.step_s is None or self.hz * self.recording.step_s <= 0.5 + 1e-6
 
     @property
     def swapped(self) -> bool:
-        """Whether the measured rate is the reciprocal of the wanted rate."""
+        """Whether the measured rate is about the reciprocal of the required rate."""
         wanted = self.wanted_hz
         return self.can_tell and wanted != 1.0 and math.isclose(self.hz, 1 / wanted, rel_tol=0.15)
 
@@ -181,7 +181,7 @@ class _Rhythm:
 
     @property
     def other_hz(self) -> str:
-        """A rate outside the tolerance, with enough digits to distinguish it from a rate within the tolerance."""
+        """The measured rate, with enough digits to show that it's outside the tolerance."""
         rounded = [float(f"{self.hz:.{digits}g}") for digits in (2, 3, 4)]
         told = next((one for one in rounded if not self.low <= one <= self.high), self.hz)
         if not self.can_tell:
@@ -196,7 +196,7 @@ class _Rhythm:
 
     @property
     def usual_interval(self) -> str:
-        """The typical interval, or the mean interval if only that is wrong."""
+        """The interval to report: the typical interval, or the mean interval if only the mean is wrong."""
         typical, hz = self.seen.typical_interval or 0.0, self.seen.hz
         is_typical = abs(typical - self.topic.period) <= INTERVAL_TOLERANCE * self.topic.period
         return f"on average {1 / hz:.3g} s" if is_typical and hz else f"typically {typical:.3g} s"
@@ -240,7 +240,11 @@ _OTHER_PERIOD = WORDS.cause("keeps-period.other-period", _Rhythm, about_time=Tru
 
 
 def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recording, Topic], Verdict]:
-    """Record which topic's pace was judged: if it follows simulated time, a result from simulated time is final."""
+    """Decorate a function that judges a topic's pace, so that its failed verdicts name the topic in `pace_of`.
+
+    If that topic follows simulated time, a result from simulated time is final. A failure is blamed on a spin in a
+    callback or a similar fault, if the source has one (see `disturbs_itself`).
+    """
 
     @wraps(judge)
     def named(recording: Recording, topic: Topic) -> Verdict:
@@ -267,7 +271,7 @@ def topic_pace(recording: Recording, topic: Topic) -> Pace:
 @_of_pace
 @if_all_kept
 def rate(recording: Recording, topic: Topic) -> Verdict:
-    """Check a topic's rate: a mean within 20 %, and no silence longer than one and a half periods."""
+    """Check that a topic's mean rate is within 20 %, and that no silence is longer than one and a half periods."""
     rhythm = _Rhythm(recording, topic)
     only, expected = _ONLY(rhythm)
     flooded = flood(recording, topic, expected)
@@ -291,8 +295,8 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
 def _watched(recording: Recording, topic: Topic) -> tuple[float, float]:
     """Return the start and end (s) of a topic's watch. If the program ended by itself, the end is its last message.
 
-    Simulated time may run on for some seconds before such an end is noticed. The end itself is judged elsewhere.
-    If more messages arrived than are kept, the watch ends with the first one that wasn't kept.
+    Simulated time may run on for some seconds before the judge notices such an end. Other functions judge the end
+    itself. If more messages arrived than are kept, the watch ends with the first message that wasn't kept.
     """
     start, end = window_of(recording, recording.topic(topic.name))
     if recording.process.ended_by == "itself":
@@ -317,7 +321,7 @@ def _breaks_off(rhythm: _Rhythm, cause: Cause) -> Verdict:
 @_of_pace
 @if_all_kept
 def counts(recording: Recording, topic: Topic) -> Verdict:
-    """Check that there is one message per period in the window, give or take one at its edge."""
+    """Check that the topic's window contains one message per period, give or take one message at its edge."""
     rhythm = _Rhythm(recording, topic, counted=True)
     came = rhythm.seen.count
     if abs(came - rhythm.wanted) <= 1:

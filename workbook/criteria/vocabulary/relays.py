@@ -1,4 +1,4 @@
-"""Compare a program's outputs with its inputs: which are missing, repeated, late, or out of order."""
+"""Compare a program's outputs with its inputs, to find outputs that are missing, repeated, late, or out of order."""
 
 from collections import Counter
 from collections.abc import Hashable, Sequence
@@ -9,7 +9,7 @@ Item = TypeVar("Item", bound=Hashable)
 
 
 class Relay(Generic[Item]):
-    """A program's outputs compared with its inputs: readings, requests, or indexes in the script.
+    """A comparison of a program's outputs with its inputs. An item is a reading, a request, or an index in the script.
 
     `sent`: all items, in order. `came`: the item that each output belongs to, in order. An item is missing if it came
     less often than it was sent, and repeated if it came more often.
@@ -24,34 +24,34 @@ class Relay(Generic[Item]):
             (one, n) for one, n in times.items() if n > due[one] > 0
         ]  # each with its number of outputs
         self.strange = [one for one in self.came if one not in due]  # never sent
-        # the first item that came instead of another: its number among the outputs, the item, and the one that was due
+        # the first output with the wrong item: its number (from 1), its item, and the item that was due
         pairs = enumerate(zip(self.came, self.sent, strict=False), 1)
         self.misplaced = next(((n, one, other) for n, (one, other) in pairs if one != other), None)
 
     @property
     def rest_is_missing(self) -> bool:
-        """Whether items are missing, and every item from the first missing one on is missing, too."""
+        """Whether items are missing, and so is every item after the first missing one."""
         order = list(dict.fromkeys(self.sent))
         return bool(self.missing) and self.missing == order[-len(self.missing) :]
 
     @property
     def stops(self) -> bool:
-        """Whether items are missing, and the items before the first missing one came once each and in order."""
+        """Whether items are missing at the end, and all items before them came in order and without repetition."""
         return bool(self.missing) and self.came == self.sent[: len(self.came)]
 
 
 class Waits:
-    """How long (s) inputs waited for their outputs, in order of the inputs. `at_once_s`: a longer wait is late."""
+    """How long (s) inputs waited for their outputs, in order of the inputs. A wait longer than `at_once_s` is late."""
 
     def __init__(self, seconds: Sequence[float], at_once_s: float) -> None:
         self.seconds = [*seconds]
         self.late = [one for one in seconds if one > at_once_s]
         tenth = max(len(seconds) // 10, 1)
-        # the median of all waits, of the first tenth, and of the last tenth; 0 without any
+        # the median of all waits, of the first tenth, and of the last tenth; 0 if there are no waits
         self.typical_s, self.first_s, self.last_s = (
             median(some or [0.0]) for some in (seconds, seconds[:tenth], seconds[-tenth:])
         )
 
     def are_late(self, share: float) -> bool:
-        """Return whether fewer than this share are on time. A busy machine may have delayed some of them."""
+        """Return whether less than this share of the outputs is on time. A busy machine may have delayed the rest."""
         return len(self.late) > (1.0 - share) * len(self.seconds)

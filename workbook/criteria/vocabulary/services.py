@@ -1,4 +1,4 @@
-"""Judge services: those that a program offers, those that it calls, and the outcome of the calls."""
+"""Judge the services that a program offers, the services that it calls, and the outcomes of those calls."""
 
 import statistics
 from typing import Any
@@ -28,7 +28,7 @@ _NO_CLIENT = WORDS.cause("calls-service.no-client", _CALLED)
 
 
 def answered_calls(recording: Recording, service: str) -> str:
-    """Describe how many calls of a service were made and answered, and how fast."""
+    """Describe, as text, how many calls to a service were made, how many got a response, and how fast (median, s)."""
     calls = calls_of(recording, service)
     answered = [call.answered_wall - call.wall for call in calls if call.answered_wall is not None]
     took = f", in {statistics.median(answered):.2f} s" if answered else ""
@@ -36,7 +36,7 @@ def answered_calls(recording: Recording, service: str) -> str:
 
 
 def calls_of(recording: Recording, service: str) -> list[CallSeen]:
-    """Return a service's calls, in order: the program's and the script's."""
+    """Return all calls to a service in order, both by the program and by the script."""
     return [call for call in recording.calls if call.service == service]
 
 
@@ -56,7 +56,7 @@ def offers(recording: Recording, service: str, service_type: str) -> Verdict:
 def calls_service(recording: Recording, service: str, service_type: str) -> Verdict:
     """Check that at least one of the program's requests reached `service`.
 
-    An example of a `service_type` is "std_srvs/srv/Trigger".
+    `service_type`: the required type, such as "std_srvs/srv/Trigger".
     """
     if any(call.by == "program" for call in calls_of(recording, service)):
         return passed(f"calls {service}")

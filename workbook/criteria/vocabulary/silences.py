@@ -1,4 +1,4 @@
-"""Explain why a topic stopped: the program crashed, it ended, all topics stopped, or only that topic did."""
+"""Explain why a topic went silent: the program crashed or ended, all topics stopped, or only that topic stopped."""
 
 from itertools import pairwise
 
@@ -12,9 +12,12 @@ from workbook.recording.recording import Recording, TopicRecording
 WORDS = Words(__file__)
 
 GOES_ON_PERIODS = 1.5
-"""Another topic goes on if it has a message at least this many of the silent topic's periods after the last message."""
+"""Another topic goes on if it has a message more than this many periods after the silent topic's last message.
+
+A period is the silent topic's period.
+"""
 GOES_ON_INTERVALS = 2.5
-"""A topic hasn't stopped if the time since its last message is at most this many times its longest interval."""
+"""A topic goes on if the time since its last message is at most this many times its longest interval."""
 
 _PROGRAM_ENDED = WORDS.cause("silence.program-ended", ("saw", "expected"), about_time=True)
 _OWN_CLOCK = WORDS.cause("no-message.own-clock", ("saw", "expected", "nodes"))
@@ -25,7 +28,7 @@ _OF_ONE = WORDS.cause("silence.of-one", ("saw", "expected", "going_on", "topic")
 
 
 def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames the program's end, with its error if any; None if the program runs on."""
+    """Return a failed verdict that blames the program's end, or the error behind it; None if the program runs on."""
     if recording.process.ended_by != "itself":
         return None
     blamed = failed_by_error(recording, f"{saw}{AN_ERROR_ENDED_IT}", expected, about_time=True)
@@ -35,8 +38,8 @@ def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | No
 def ended_or_error(recording: Recording, saw: str, expected: str) -> Verdict | None:
     """Return a failed verdict that blames the program's end, or else the last error in its log.
 
-    The result is None if there is neither. Because an end should be named before its consequences, call this before
-    checking any other cause of missing messages.
+    The result is None if there is neither. Feedback should name an end before its consequences, so call this before
+    you check any other cause of missing messages.
     """
     return program_ended(recording, saw, expected) or failed_by_error(
         recording, saw, expected, about_time=True
@@ -44,7 +47,7 @@ def ended_or_error(recording: Recording, saw: str, expected: str) -> Verdict | N
 
 
 def goes_on(recording: Recording, name: str) -> bool:
-    """Return whether a topic has messages until the end of the watch."""
+    """Return whether the topic `name` has messages until the end of the watch."""
     seen = recording.topic(name)
     times = [arrival.t for arrival in seen.arrivals]
     longest = max((after - before for before, after in pairwise(times)), default=0.0)
@@ -53,7 +56,7 @@ def goes_on(recording: Recording, name: str) -> bool:
 
 
 def waits_for_clock(recording: Recording, topic: Topic, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict for a silent topic whose node subscribed to /clock on its own; None for any other."""
+    """Return a failed verdict for a silent topic if its node subscribed to /clock by itself, otherwise None."""
     nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
     waiting = [node for node in recording.own_clock if node in nodes]
     return _OWN_CLOCK.verdict(saw=saw, expected=expected, nodes=waiting) if waiting else None
@@ -66,7 +69,7 @@ def other_topics(recording: Recording, topic: Topic) -> list[TopicRecording]:
 
 
 def others_that_go_on(recording: Recording, topic: Topic, since: float) -> list[str]:
-    """Return the judged topics that have messages long after `since` (s, simulated), until the end of the watch."""
+    """Return the other judged topics that go on long after `since` (simulated time, s), until the end of the watch."""
     late = since + GOES_ON_PERIODS * topic.period
     others = [one for one in other_topics(recording, topic) if any(it.t > late for it in one.arrivals)]
     return [one.name for one in others if goes_on(recording, one.name)]
@@ -80,9 +83,10 @@ def others_within(recording: Recording, topic: Topic, start: float, end: float) 
 
 
 def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict for a topic whose last message arrived at `since`; None if only this topic is judged.
+    """Return a failed verdict for a topic whose last message arrived at `since` (simulated time, s).
 
-    If other topics continue, and this topic followed simulated time, the cause isn't a busy machine.
+    The result is None if there is no other topic to compare with, and no other explanation. If other topics go on, and
+    this topic followed simulated time, a busy machine can't be the cause, so the verdict isn't `about_time`.
     """
     ended = program_ended(recording, saw, expected)
     if ended is not None:

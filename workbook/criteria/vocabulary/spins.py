@@ -1,4 +1,4 @@
-"""Explain a silence from the source: spins and waits in callbacks, spins that never return, rclpy.init() in a loop."""
+"""Explain a silence by the program's source code, which may spin or wait wrongly, or call rclpy.init() in a loop."""
 
 from workbook.criteria.rules import Words
 from workbook.criteria.verdict import Verdict
@@ -17,7 +17,7 @@ _DISTURBING = {
         (("future", False), "await-in-a-callback"),
     )
 }
-"""Keyed by what the spin waits for, and whether it does so in a callback."""
+"""Keyed by `SpinSeen.waits`, and by whether the line is in a callback."""
 _KEEPING = {
     kept: WORDS.cause(f"spin.{reason}", ("saw", "expected", "spin"), about_time=True)
     for kept, reason in (
@@ -26,17 +26,14 @@ _KEEPING = {
         ("round", "first-round-only"),
     )
 }
-"""Keyed by what the spin keeps from running."""
+"""Keyed by `SpinSeen.kept`, the step that the spin keeps from running."""
 
 
 def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames a spin.
+    """Return a failed verdict that blames a spin or wait in a callback, a wait in vain, or rclpy.init() in a loop.
 
-    That is a spin in a callback, a rate that never wakes up, or ROS being initialized again and again.
-
-    The result is None if the source has none of these, or the program has ended.
-
-    Source code alone proves nothing, so call this only if something is missing from the program. `saw` says what.
+    The result is None if the source has none of these, or if the program ended by itself. Source code alone proves
+    nothing, so call this only if the recording shows a fault, which `saw` describes.
     """
     found = (
         _DISTURBING[spin.waits, bool(spin.callback)].verdict(saw=saw, expected=expected, spin=spin)
@@ -49,7 +46,7 @@ def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | 
 def initialized_again(recording: Recording, saw: str, expected: str) -> Verdict | None:
     """Return a failed verdict that blames an rclpy.init() in a loop.
 
-    The result is None if there is none, or the program has ended.
+    The result is None if the source has no such loop, or if the program ended by itself.
     """
     if recording.process.ended_by == "itself" or not recording.repeated_init:
         return None
@@ -59,11 +56,12 @@ def initialized_again(recording: Recording, saw: str, expected: str) -> Verdict 
 def held_by_a_spin(
     recording: Recording, saw: str, expected: str, *, of_a_spun_node: bool = False
 ) -> Verdict | None:
-    """Return a failed verdict that blames a spin for a missing object.
+    """Return a failed verdict that blames a spin for something that is missing, such as a publisher.
 
-    The spin doesn't return, so the lines after it never run. The result is None if there is no such spin.
+    The spin doesn't return, so the lines after it never run. The faults of `disturbs_itself` are checked first. The
+    result is None if the source has no such fault, or if the program ended by itself.
 
-    `of_a_spun_node`: the node's other callbacks run, so an unspun node can't be the cause.
+    `of_a_spun_node`: whether the node's other callbacks run. If so, an unspun node can't be the cause.
     """
     kinds = ("create",) if of_a_spun_node else tuple(_KEEPING)
     found = (

@@ -1,4 +1,4 @@
-"""Read the timestamps in headers, which identify the input that an output belongs to."""
+"""Read the timestamps in message headers, which show which input an output belongs to."""
 
 from typing import Any, NamedTuple
 
@@ -11,12 +11,12 @@ class Stamp(NamedTuple):
 
     @classmethod
     def at(cls, seconds: float) -> "Stamp":
-        """Make the timestamp for a moment (s)."""
+        """Return the timestamp for a time in seconds."""
         return cls(*divmod(round(seconds * 1e9), 10**9))
 
     @classmethod
     def of(cls, message: Any) -> "Stamp":
-        """Read the timestamp in a message's header."""
+        """Return the timestamp in the header of a message, which is a mapping of its fields."""
         stamp = message["header"]["stamp"]
         return cls(stamp["sec"], stamp["nanosec"])
 

@@ -1,4 +1,4 @@
-"""Remove from a recording the time in which the judge itself was held up."""
+"""Remove the pauses from a recording in which the machine kept the judge itself from running."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -8,14 +8,15 @@ from workbook.recording.recording import Arrival, Recording
 
 
 def without_standstills(recording: Recording, period_s: float, longest_s: float) -> Recording:
-    """Return the recording without the time in which the judge couldn't publish its messages.
+    """Return the recording without the pauses in which the judge couldn't publish its messages.
 
-    In that time, the machine was held up, and most likely the program as well, so its messages weren't really that
-    late. `period_s`: the script's period. `longest_s`: the longest pause that still counts as usual.
+    In such a pause, the machine was held up, and most likely the program too. So the program's messages weren't as late
+    as they look. `period_s`: the script's period. `longest_s`: the longest time between two of the script's messages
+    that still counts as usual.
     """
 
     def moments(sent: Sequence[float]) -> Callable[[float], float]:
-        """Return a function that converts a time (s) to the judge's own time. `sent`: when the judge published."""
+        """Return a function that subtracts all earlier pauses from a time (s). `sent`: when the judge published (s)."""
         still = [(a, b - a - period_s) for a, b in pairwise(sorted(sent)) if b - a > longest_s]
         return lambda at: at - sum(min(max(at - begin, 0.0), lasted) for begin, lasted in still)
 

@@ -1,4 +1,4 @@
-"""Judge a topic: whether it's published under this name and with this type, and whether messages arrive."""
+"""Judge whether a program publishes on a topic with the right name and type, and whether messages arrive."""
 
 import difflib
 from collections.abc import Callable, Iterable
@@ -18,17 +18,17 @@ from workbook.recording.recording import Recording, TopicRecording
 WORDS = Words(__file__)
 
 OF_THE_DRIVER = "/driver/"
-"""The prefix of topics published by the program that calls a student's functions. They aren't the student's topics."""
+"""The prefix of the driver's topics. The driver calls a student's functions, so these topics aren't the student's."""
 
 ALIKE = 0.6
-"""With at least this share of common letters, another name counts as a typo."""
+"""A name that is more similar than this to the required name (see `similar_share`) counts as a typo."""
 
 P = ParamSpec("P")
 
 
 @dataclass(frozen=True)
 class _OnTopic:
-    """The recording of a topic."""
+    """A topic, and the recording that it's judged in."""
 
     recording: Recording
     topic: Topic
@@ -39,7 +39,7 @@ class _OnTopic:
 
 
 class _Publishing(_OnTopic):
-    """A program's publishers on a topic and on others."""
+    """A program's publishers, on the judged topic and on other topics."""
 
     @property
     def others(self) -> list[str]:
@@ -52,7 +52,7 @@ class _Publishing(_OnTopic):
 
     @cached_property
     def own(self) -> list[TopicRecording]:
-        """The topics that the program itself publishes."""
+        """The topics on which the student's program publishes, without the driver's topics."""
         topics = self.recording.with_publishers()
         return [other for other in topics if not other.name.startswith(OF_THE_DRIVER)]
 
@@ -62,7 +62,7 @@ class _Publishing(_OnTopic):
 
     @cached_property
     def meant(self) -> str:
-        """The program's unexpected topic whose name was probably meant to be this topic's name; "" if there is none."""
+        """The name of an unexpected topic that was probably meant to be this topic; "" if there is none."""
         strange = [other for other in self.own if other.name not in self.recording.wanted]
         others = [other.name for other in strange]
         wanted = self.topic.name
@@ -118,7 +118,7 @@ class _Arriving(_OnTopic):
 
     @property
     def since(self) -> str:
-        """When the first unreadable message arrived, as the end of a sentence."""
+        """When the first undecodable or too large message arrived, as the end of a sentence; "" if it's unknown."""
         return "" if self.seen.broken_at is None else f", the first at {seconds(self.seen.broken_at)}"
 
     @property
@@ -186,7 +186,7 @@ _TOO_MUCH = WORDS.rules(_Arriving, "all-kept", ("too-much", lambda one: one.seen
 
 
 def publishes(recording: Recording, topic: Topic) -> Verdict:
-    """Check that the program publishes `topic` with the right type, and with no other type."""
+    """Check that the program publishes on `topic` with the right type, and with no other type."""
     one = _Publishing(recording, topic)
     of_type = _TYPES.first(one)
     if of_type is not None:
@@ -206,7 +206,7 @@ def similar_share(one: str, other: str) -> float:
 
 
 def misspelled(recording: Recording, wanted: str, names: Iterable[str]) -> str | None:
-    """Return the name that was probably meant to be `wanted`; None if none is similar enough."""
+    """Return which of the unexpected `names` was probably meant to be `wanted`; None if none is similar enough."""
     strange = sorted(set(names).difference(recording.wanted))
     near = max(strange, key=lambda name: similar_share(name, wanted), default=None)
     return near if near is not None and similar_share(near, wanted) > ALIKE else None
@@ -237,7 +237,7 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
 def if_messages(
     word: Callable[Concatenate[Recording, Topic, P], Verdict],
 ) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
-    """Decorate a function that judges a topic's messages: if none arrived, the verdict is `no_message`."""
+    """Decorate a function that judges a topic's messages, so that its verdict is `no_message` if none arrived."""
 
     @wraps(word)
     def judge(recording: Recording, topic: Topic, /, *args: P.args, **kwargs: P.kwargs) -> Verdict:
@@ -249,10 +249,10 @@ def if_messages(
 def if_all_kept(
     word: Callable[Concatenate[Recording, Topic, P], Verdict],
 ) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
-    """Decorate a function that judges every message of a topic. It fails if none arrived.
+    """Decorate a function that judges every message of a topic, so that it fails if some messages can't be judged.
 
-    It also fails if some messages are undecodable, even next to valid ones. If more messages arrived than are kept, it
-    fails as well, unless a kept message already fails.
+    It fails if no message arrived, or if a message was undecodable or too large, even next to valid messages. If all
+    kept messages pass, but more messages arrived than are kept, it also fails.
     """
 
     @wraps(word)
@@ -267,7 +267,7 @@ def if_all_kept(
 
 
 def needs_messages(topic: Topic) -> Callable[[CriterionFunction], CriterionFunction]:
-    """Decorate a judging function: if no message arrived on `topic`, the verdict is `no_message`."""
+    """Decorate a judging function, so that its verdict is `no_message` if no message arrived on `topic`."""
 
     def guard(function: CriterionFunction) -> CriterionFunction:
         @wraps(function)
@@ -280,6 +280,6 @@ def needs_messages(topic: Topic) -> Callable[[CriterionFunction], CriterionFunct
 
 
 def window_of(recording: Recording, seen: TopicRecording) -> tuple[float, float]:
-    """Return the start and end (s of simulated time) of a topic's watch."""
+    """Return the start and end (simulated time, s) of a topic's watch, or of the whole watch if it has no window."""
     start, end = seen.window if seen.window is not None else (0.0, recording.watched_s)
     return start, max(start, end)

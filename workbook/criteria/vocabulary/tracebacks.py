@@ -1,4 +1,4 @@
-"""Split the tracebacks in a program's log: chained exceptions, tracebacks from several threads, exception groups."""
+"""Split a program's log into tracebacks, including chained exceptions, several threads, and exception groups."""
 
 import re
 from collections.abc import Iterator
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 TRACEBACK = "Traceback (most recent call last)"
 FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)(?:, in (?P<function>\S+))?')
 MAIN, THREAD, IGNORED = range(3)
-"""Where an exception surfaced: in the main program, in a thread, or where Python ignores it (finalizers, atexit)."""
+"""Where an exception surfaced: in the main thread, in another thread, or where Python ignores it, as in finalizers."""
 _START = re.compile(r"^(?:Exception Group )?" + re.escape(TRACEBACK) + ":$")
 _THREAD = re.compile(r"^Exception in thread (?P<name>.*):$")
 _IGNORED = re.compile(r"^(?:Exception ignored (?:in|from|while)\b|Task exception was never|Error in atexit)")
@@ -25,17 +25,20 @@ _LEFT_OUT = re.compile(r"^… \d+ bytes left out …$")
 _NO_NOTE = re.compile(
     r"^(?:Still running: |The following exception was never retrieved|\[(?:DEBUG|INFO|WARN|ERROR|FATAL)\] )"
 )
-"""Lines after a traceback that aren't part of its message: from the host, rclpy's tasks, or loggers."""
+"""Matches lines after a traceback that aren't part of its message. They come from the host, tasks, or loggers."""
 _CAUGHT_ON_PURPOSE = re.compile(
     r"(?:KeyboardInterrupt|ExternalShutdownException|SystemExit|GeneratorExit|StopIteration|StopAsyncIteration|"
     r"CancelledError|\bEmpty|\bFull)$"
 )
-"""Code around a spin, a generator, or a queue catches these on purpose. An error while handling one is the fault."""
+"""Matches exceptions that a program catches on purpose, around a spin, a generator, or a queue.
+
+If another error occurs while the program handles such an exception, that error is the fault.
+"""
 
 
 @dataclass
 class Raised:
-    """One traceback: its frames and source lines, its error line, and the rest of the message."""
+    """One traceback: its frames and source lines (`lines`), its error line, and the rest of the message (`notes`)."""
 
     origin: int = MAIN
     thread: str = ""
@@ -56,7 +59,7 @@ class Raised:
 
     @property
     def told(self) -> str:
-        """The part that the error table matches: two lines before the error, the error, and the rest of its message."""
+        """The part for the error table: two lines before the error, the error, and the rest of its message."""
         return "\n".join([*self.lines[-2:], self.error, *self.notes])
 
     def frames(self) -> Iterator[re.Match[str]]:
@@ -72,7 +75,7 @@ class Raised:
         return found[-1] if found else None
 
     def fits(self, frame: re.Match[str]) -> bool:
-        """Return whether this frame may come next here. This separates the interleaved lines of several threads."""
+        """Return whether `frame` may be this traceback's next frame. This separates interleaved tracebacks."""
         last = [one["function"] for one in self.frames()]
         if frame["function"] in _THREADS_OWN[1:2]:
             return not last or last[-1] == "_bootstrap"
@@ -89,12 +92,12 @@ class Raised:
 
 
 def is_of(frame: re.Match[str], program: str) -> bool:
-    """Return whether a frame belongs to the program with this name. With an empty name, every frame does."""
+    """Return whether a frame is in the file named `program`. If the name is empty, every frame counts."""
     return not program or frame["file"].rsplit("/", 1)[-1] == program
 
 
 class _Reader:
-    """Reads a log line by line. `chains` contains lists of related exceptions, the first exception first."""
+    """Reads a log line by line. `chains` is a list of chains, each a list of related exceptions in order."""
 
     def __init__(self) -> None:
         self.chains: list[list[Raised]] = []
@@ -142,7 +145,7 @@ class _Reader:
         if not self._open:
             closed = self._closed
             if closed is not None and not _EXCEPTIONAL.search(closed.name):
-                closed.lines.append(closed.error)  # a word that the program printed in between
+                closed.lines.append(closed.error)  # a word that the program printed, not an error
                 closed.error, closed.notes = "", []
                 self._drop(closed)
                 self._open.append(closed)
@@ -175,7 +178,7 @@ class _Reader:
         self._chained = False
 
     def _of_a_group(self, done: Raised) -> None:
-        """Let the first part of a group stand for the group; the other parts follow it."""
+        """Add an exception of a group to the last chain. The group's first exception replaces the group itself."""
         chain = self.chains[-1]
         done.origin = chain[0].origin
         if self._part == 1 and chain[-1].name.endswith("ExceptionGroup"):
@@ -185,7 +188,7 @@ class _Reader:
 
 
 def chains_in(log: str) -> list[list[Raised]]:
-    """Return the exceptions in a log, grouped into chains that followed from each other, the first one first."""
+    """Return the exceptions in a log, grouped into chains. In a chain, each exception followed from the one before."""
     reader = _Reader()
     for line in log.splitlines():
         reader.read(line)
@@ -193,19 +196,20 @@ def chains_in(log: str) -> list[list[Raised]]:
 
 
 def first_cause(chain: list[Raised], program: str) -> Raised:
-    """Return the exception from which the others in a chain followed.
+    """Return the exception in a chain that caused the later ones.
 
-    An exception without a frame in the program was caught inside a library, so it doesn't count. Neither does one that
-    an `except` waits for.
+    An exception without a frame in the program was caught inside a library, so it doesn't count. An exception that
+    programs catch on purpose doesn't count, either.
     """
     own = [one for one in chain if one.line_in(program) is not None] or chain[-1:]
     return next((one for one in own if not _CAUGHT_ON_PURPOSE.search(one.name)), own[-1])
 
 
 def main_one(chains: list[list[Raised]], program: str) -> Raised | None:
-    """Return the exception to blame: the main program's last one, or else the one with the lowest line in a thread.
+    """Return the exception to blame: the main program's last one, or else the one in the lowest line of a thread.
 
-    The order in which threads print is a matter of chance, so it doesn't count. The result is None without exceptions.
+    The order in which threads print is a matter of chance, so it doesn't count. The result is None if there are no
+    exceptions.
     """
     causes = [first_cause(chain, program) for chain in chains]
     of_main = [one for one in causes if one.origin == MAIN]

@@ -1,4 +1,4 @@
-"""Judge the type checker's findings in an answer, and in code that uses it. For exercises with `kind: static`."""
+"""Judge the type checker's findings in an answer, and in code that uses it, for exercises with `kind: static`."""
 
 import textwrap
 from collections.abc import Iterator, Mapping
@@ -23,7 +23,7 @@ _ACCEPTED = WORDS.seen("mypy-objects.accepted", ("text", "name"))
 
 @dataclass(frozen=True)
 class _Objection:
-    """A mypy finding in a correct line of a probe: the line's `text`, and the probe's `name`."""
+    """A mypy finding in a correct line of a probe. `text` is the line, and `name` is the probe's name."""
 
     finding: Finding
     text: str
@@ -41,20 +41,20 @@ _OBJECTIONS = WORDS.rules(
 
 @dataclass(frozen=True)
 class Probe:
-    """Code that uses an answer, for the type checker only: it never runs. `name` says what it does."""
+    """Code that uses an answer. It never runs; only the type checker reads it. `name` describes what the code does."""
 
     name: str
     code: str
 
     def lines(self) -> Iterator[tuple[int, str, bool]]:
-        """Yield each line's number, its text, and whether it's marked: the checker must object to a marked line."""
+        """Yield each line's number, its text, and whether it's marked. The type checker must object to marked lines."""
         for number, line in enumerate(self.code.splitlines(), start=1):
             text, mark, _ = line.partition(MARK)
             yield number, text.strip(), bool(mark)
 
 
 def probe(name: str, code: str) -> Probe:
-    """Declare code that imports from `answer` and uses it. Lines that end with `# wrong` are misuse.
+    """Declare code that imports names from `answer` and uses them. A line that ends with `# wrong` misuses them.
 
     Raises ValueError if the code isn't valid Python.
     """
@@ -79,9 +79,9 @@ def probes_in(module: ModuleType) -> Mapping[str, str]:
 
 
 def findings(recording: Recording, one: Probe | None = None) -> list[Finding]:
-    """Return the type checker's findings in the answer, or in a probe.
+    """Return the type checker's findings in the answer, or in the probe `one`.
 
-    Raises ValueError if the checker didn't run: that needs `kind: static`.
+    Raises ValueError if the checker didn't run, because the exercise isn't of `kind: static`.
     """
     if recording.findings is None:
         raise ValueError("findings need `kind: static` in the source of the exercise")
@@ -90,7 +90,7 @@ def findings(recording: Recording, one: Probe | None = None) -> list[Finding]:
 
 
 def mypy_clean(recording: Recording) -> Verdict:
-    """Check that the type checker finds nothing in the answer, and that the answer hides nothing from it."""
+    """Check that the type checker finds nothing in the answer, and that the answer hides nothing from the checker."""
     found = findings(recording)
     if not found:
         return passed("mypy --strict finds nothing")
@@ -129,9 +129,9 @@ def mypy_accepts(recording: Recording, one: Probe) -> Verdict:
 
 
 def mypy_objects(recording: Recording, one: Probe, why_not: Reason) -> Verdict:
-    """Check that the type checker finds an error in every marked line of a probe, and in no other.
+    """Check that the type checker finds an error in every marked line of a probe, and in no other line.
 
-    `why_not`: the reason to give if it accepts a marked line, from the catalog: `WORDS.reason(...)`.
+    `why_not`: the reason to give if the checker accepts a marked line. Declare it with `WORDS.reason(...)`.
     """
     accepted = mypy_accepts(recording, one)
     if not accepted.ok:

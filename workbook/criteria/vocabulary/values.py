@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 def once(look: Callable[[Recording], Found]) -> Callable[[Recording], Found]:
     """Make a function inspect a recording only once, even if several criteria need its result.
 
-    Don't modify the returned object: every call returns the same one.
+    Don't modify the function's result, because later calls return the same object.
     """
     latest: tuple[Recording, Found] | None = None
 
@@ -40,10 +40,10 @@ def values(recording: Recording, topic: Topic, field: str = "data") -> list[Any]
 
 
 def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> Recording:
-    """Return the recording with only those messages of `topic` whose data `keep` accepts.
+    """Return the recording with only those messages of `topic` for whose data `keep` returns True.
 
-    The topic's watch then begins with the first of them.
-    This is for a topic with several publishers, some of which may connect later than others.
+    The topic's watch then begins with the first of these messages. Use this for a topic with several publishers, some
+    of which may connect later than others.
     """
     seen = recording.topic(topic.name)
     kept = tuple(
@@ -58,14 +58,14 @@ def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> 
 
 
 def elements(value: Any) -> list[Any]:
-    """Return an array's elements, or a single value as a list. Of a very long array, only the first are available."""
+    """Return an array's elements, or a single value as a list. A very long array has only its first elements here."""
     if isinstance(value, dict) and "first" in value:
         return list(value["first"])
     return value if isinstance(value, list) else [value]
 
 
 def length_of(value: Any) -> int:
-    """Return the length of an array, even of one that was too long to be kept."""
+    """Return the length of an array, even if the array was too long to be kept as a whole."""
     if isinstance(value, dict) and "length" in value:
         return int(value["length"])
     return len(elements(value))
@@ -73,7 +73,10 @@ def length_of(value: Any) -> int:
 
 @dataclass(frozen=True)
 class Offender:
-    """The first value that breaks a rule: message number, index in the array (None for a scalar), messages affected."""
+    """The first value that breaks a rule. `message`: the number of its message, from 1.
+
+    `place`: its index in the array; None for a scalar. `affected`: how many messages contain such a value.
+    """
 
     message: int
     place: int | None
@@ -86,7 +89,7 @@ class Offender:
 
 
 def first_offender(recording: Recording, topic: Topic, breaks: Callable[[Any], bool]) -> Offender | None:
-    """Return the first value or element that breaks a rule; None if none does."""
+    """Return the first value or array element for which `breaks` returns True; None if there is none."""
     first: tuple[int, int | None, Any] | None = None
     affected = 0
     for number, value in enumerate(values(recording, topic), start=1):
