@@ -1,4 +1,4 @@
-"""How exercise 01 is judged: what the program does until Ctrl-C, what it logs then, and what it leaves behind."""
+"""Judge exercise 01 by the program's behavior until Ctrl-C, its log after that, and everything it leaves behind."""
 
 from dataclasses import dataclass
 
@@ -19,7 +19,7 @@ LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task names it
 
 @dataclass(frozen=True)
 class Night:
-    """What the program logged before and after Ctrl-C, and how it ended."""
+    """The program's log before and after Ctrl-C, and how the program ended."""
 
     recording: Recording
 
@@ -51,13 +51,13 @@ class Night:
 
     @property
     def walked_after_parking(self) -> bool:
-        """Whether the guard logged more than a line after the words that its arms are parked."""
+        """Whether the guard logged more than one line after it logged that its arms are parked."""
         after = self.end_log.partition(PARKED)[2].splitlines()[1:]
         return sum(bool(line.strip()) and PARKED not in line for line in after) > 1
 
     @property
     def about_parking(self) -> str | None:
-        """A line after Ctrl-C that has other words about parking."""
+        """A line after Ctrl-C that mentions parking in other words; None if there is none."""
         lines = self.recording.process.end_log.splitlines()
         return next((line.strip()[:LONGEST_QUOTE] for line in lines if "park" in line.lower()), None)
 

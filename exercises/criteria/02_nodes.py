@@ -1,4 +1,4 @@
-"""How exercise 02 is judged: by the graph. Who is there, under which name, and what comes from whom."""
+"""Judge exercise 02 by the graph: the nodes, their names, and the topics that each node publishes."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -24,7 +24,7 @@ LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 @dataclass(frozen=True)
 class Graph:
-    """Which nodes are on the graph."""
+    """The nodes on the graph."""
 
     recording: Recording
 
@@ -40,13 +40,13 @@ class Graph:
 
     @property
     def outside(self) -> list[str]:
-        """Those outside of the robot's namespace."""
+        """The nodes outside the robot's namespace."""
         return [name for name in self.others if not name.startswith("/robot/")]
 
 
 @dataclass(frozen=True)
 class Camera:
-    """What one of the cameras does. `frames`: the topic of its images."""
+    """The behavior of one of the two cameras. `frames`: the topic of its images."""
 
     recording: Recording
     name: str
@@ -54,7 +54,7 @@ class Camera:
 
     @property
     def publishing(self) -> list[str]:
-        """The nodes that publish its images."""
+        """The nodes that publish this camera's images."""
         return publishing_nodes(self.recording, self.frames)
 
     @property
@@ -63,12 +63,12 @@ class Camera:
 
     @property
     def left_at(self) -> float:
-        """When it left the graph (s)."""
+        """When the camera left the graph (s)."""
         return max(one.last_seen or 0.0 for one in self.recording.topic(self.topic).publishers)
 
     @property
     def is_gone(self) -> bool:
-        """Whether it left the graph while the program ran on."""
+        """Whether the camera left the graph while the program kept running."""
         left = [one.last_seen for one in self.recording.topic(self.topic).publishers]
         return self.recording.process.ended_by != "itself" and None not in left
 
@@ -83,7 +83,7 @@ class Camera:
 
     @cached_property
     def reports(self) -> Recording:
-        """The recording, of /robot/faults only what begins with the name of this camera."""
+        """The recording, but with only those messages on /robot/faults that begin with this camera's name."""
         return see.part_of(self.recording, FAULTS, lambda text: str(text).startswith(f"{self.short_name}:"))
 
     @property
@@ -100,7 +100,7 @@ class Camera:
 
     @property
     def nameless(self) -> list[str]:
-        """Reports that begin with the name of no camera, cut short."""
+        """The reports that don't begin with a camera's name, cut short."""
         texts = map(str, see.values(self.recording, FAULTS))
         return [text[:LONGEST_QUOTE] for text in texts if not text.startswith(("camera:", "rear_camera:"))]
 
@@ -110,13 +110,13 @@ class Camera:
 
     @property
     def reports_hz(self) -> float:
-        """How many reports begin with the name of this camera (1/s)."""
+        """The rate (Hz) of the reports that begin with this camera's name."""
         return round(see.topic_pace(self.reports, replace(FAULTS, hz=REPORTS_HZ)).hz or 0.0, 1)
 
 
 @dataclass(frozen=True)
 class FaultsTopic:
-    """Who publishes /robot/faults."""
+    """The publishers of /robot/faults."""
 
     recording: Recording
 
@@ -126,7 +126,7 @@ class FaultsTopic:
 
     @property
     def elsewhere(self) -> list[str]:
-        """Topics called "faults" in another namespace, if some node publishes there."""
+        """The topics called "faults" in other namespaces that have a publisher."""
         return sorted(
             name
             for name, seen in self.recording.topics.items()
@@ -135,7 +135,7 @@ class FaultsTopic:
 
 
 def publishing_nodes(recording: Recording, one: Topic) -> list[str]:
-    """Fully qualified names of the nodes that publish on a topic, each once; "no node" if there is none."""
+    """Return the sorted, fully qualified names of a topic's publishing nodes; ["no node"] if there are none."""
     return sorted({publisher.node for publisher in recording.topic(one.name).publishers}) or ["no node"]
 
 
@@ -227,7 +227,7 @@ def alive_at_end(recording: Recording) -> Verdict:
 
 
 def images_of(camera: Camera) -> Verdict:
-    """The images come at their rate, and from this camera."""
+    """Check that a camera's images come at the required rate and from that camera's node."""
     recording, frames = camera.recording, camera.frames
     there = see.publishes(recording, frames)
     if not there.ok:
@@ -244,15 +244,15 @@ def images_of(camera: Camera) -> Verdict:
 
 
 def both_slow(verdict: Verdict) -> Verdict:
-    """The verdict on one camera's rate, explained by what delays both."""
+    """Return the verdict on one camera's rate, explained by a cause that delays both cameras."""
     told = BOTH_SLOW.verdict(saw=verdict.saw, expected=verdict.expected, about_time=verdict.about_time)
     return replace(told, pace_of=verdict.pace_of)
 
 
 def reports_of(camera: Camera) -> Verdict:
-    """The fault reports of one camera come once a second.
+    """Check that one camera's fault reports come once a second.
 
-    Whether its reports follow simulated time, its images tell: each camera may have a clock of its own.
+    The camera's images show whether its reports follow simulated time, because each camera may have its own clock.
     """
     verdict = replace(see.rate(camera.reports, replace(FAULTS, hz=REPORTS_HZ)), pace_of=camera.topic)
     if verdict.ok:

@@ -1,4 +1,4 @@
-"""How exercise 03 is judged: each call of publish_level, and what went out on /robot/battery because of it."""
+"""Judge exercise 03 by the calls of publish_level, and by the messages on /robot/battery that each call causes."""
 
 import math
 import re
@@ -16,13 +16,13 @@ from workbook.criteria import DriverCall, Recording, Verdict, criterion, program
 WORDS = see.Words(__file__)
 BATTERY = topic("/robot/battery", Float32)
 REPORT = topic("/driver/report", String, signed=True)
-TOLERANCE = 1e-5  # what 32 bits make of a charge with a few decimals; the task names it
+TOLERANCE = 1e-5  # rounding error of a 32-bit charge; the task states it
 
 COUNT = 40  # calls
 BOOLS = ("True", "False")
 NO_WORDS = ("full", "empty", "none", "ok")
 
-# the kinds of arguments, as Python writes them
+# the kinds of arguments, as regular expressions of their Python literals
 FLOAT, EMPTY, OTHER_NUMBER = NUMBERS = ("a float", "an empty battery", "an int or a NumPy number")
 NOT_FINITE, LOOK_ALIKE, NO_NUMBER = REFUSED = ("not finite", "looks like a number", "no number")
 KINDS = {
@@ -36,7 +36,7 @@ KINDS = {
 
 
 def kind_of(argument: str | None) -> str:
-    """Tell the kind of an argument; an empty text if there is none."""
+    """Return the kind of an argument; empty if there is no argument."""
     return next((kind for kind, form in KINDS.items() if re.fullmatch(form, argument or "")), "")
 
 
@@ -47,12 +47,12 @@ def number_in(argument: str | None) -> float | None:
 
 
 def odd(rng: Random, low: int, high: int) -> int:
-    """Draw a number of two digits that does not end in 0, as those in texts do."""
+    """Draw a two-digit number that doesn't end in 0. The whole numbers in string arguments do end in 0."""
     return 10 * rng.randint(low, high) + rng.randint(1, 9)
 
 
 def drawn_arguments(rng: Random) -> list[str]:
-    """Draw the arguments of all calls: six numbers, then the others in any order, some of them together."""
+    """Draw the arguments of all calls: six numbers, then the others in random order, with a few fixed sequences."""
     first, whole, small = f"{odd(rng, 5, 9)}.25", str(odd(rng, 1, 9)), str(rng.randint(2, 9))
     second = f"{odd(rng, 5, 9)}.{rng.choice('34679')}"
     begin = [first, second, second, f"0.{odd(rng, 1, 9)}", whole, f"np.float32({odd(rng, 1, 4)}.5)"]
@@ -67,10 +67,10 @@ def drawn_arguments(rng: Random) -> list[str]:
         whole, "0", "1", f"np.float64({odd(rng, 1, 9)}.25)", f"np.float16({rng.randint(33, 63)}.5)",
         f"np.int32({odd(rng, 1, 9)})", f"np.int8({odd(rng, 7, 9)})", "np.float32(0.0)",
     ]  # fmt: skip
-    # A bool, an empty battery twice, and a text: what a zero leaves behind shows in what must be refused after it.
+    # A bool, an empty battery twice, and a text: if a zero affects later calls, a call to refuse comes right after it.
     units = [[bools[0], "0.0", "0.0", texts[0]], [f"np.int64({small})", small], *([one] for one in single)]
     rng.shuffle(units)
-    # What is not finite comes behind numbers: a method that remembers wrong types may remember these, too, or not.
+    # Values that aren't finite come after numbers, because a method that stores wrong types may or may not store them.
     not_finite = ["np.float32(nan)", "np.float64(-inf)", "np.float32(-inf)", "nan", "inf"]
     rng.shuffle(not_finite)
     first_minus = min(not_finite.index(f"np.{kind}(-inf)") for kind in ("float32", "float64"))
@@ -82,10 +82,10 @@ def drawn_arguments(rng: Random) -> list[str]:
 
 
 def fits(arguments: Sequence[str]) -> bool:
-    """Tell whether each mistake shows as what it is in such a row of calls.
+    """Return whether each mistake is recognizable in this sequence of calls.
 
-    A method that sends the last number again, instead of an error, must not seem to make another mistake; and what one
-    call leaves behind must show in a float and in another number.
+    A method that publishes the last number again, instead of raising an error, must not look like another mistake. If a
+    refused call affects later ones, the effect must show in a float and in a number of another type.
     """
     kinds, sent = [*map(kind_of, arguments)], 0.0
     for n, (argument, kind) in enumerate(zip(arguments, kinds, strict=True)):
@@ -109,7 +109,7 @@ def fits(arguments: Sequence[str]) -> bool:
 
 
 def drawn(rng: Random) -> list[see.Part]:
-    """Draw numbers and misuse in turn, some twice in a row, some once more much later."""
+    """Draw the script: valid and invalid arguments, some repeated right away, and some repeated much later."""
     arguments = drawn_arguments(rng)
     while not fits(arguments):
         arguments = drawn_arguments(rng)
@@ -124,12 +124,12 @@ WATCH = watching(wall_seconds=5.0, script=drawn)
 
 
 def as_float(value: float) -> str:
-    """Write a number as Python writes a float: 64.0, 99.9, nan."""
+    """Format a number as Python formats a float: 64.0, 99.9, nan."""
     return f"{value:.1f}" if value.is_integer() else f"{value:.7g}"
 
 
 class Call(DriverCall):
-    """A call that the driver reported."""
+    """One of the driver's calls, as reported by the driver."""
 
     due: Collection[float] = ()  # the numbers that must arrive, those of all calls
 
@@ -138,39 +138,42 @@ class Call(DriverCall):
         self.kind = kind_of(self.argument)
         self.is_number = self.kind in NUMBERS
         self.meant = number_in(self.argument) or 0.0  # the number that it must send
-        # That False is sent is judged with the bools, and that 0.1 is rounded with the floats.
+        # A published False is judged with the bools, and a rounded 0.1 with the floats.
         may_be_zero = self.argument == "False" or (self.is_number and self.meant < 1.0)
         self.is_other_than_zero = self.complete and not may_be_zero
 
     @property
     def arrived(self) -> bool:
-        """Whether it sent the number that it was given, once, and came back."""
+        """Whether the call published its number exactly once, and returned."""
         sent_once = self.how == "returned" and not self.later and len(self.sent) == 1
         return sent_once and abs(float(self.sent[0]) - self.meant) <= TOLERANCE
 
     @property
     def strange(self) -> list[float]:
-        """What followed it and repeats none of the numbers: who repeats these has lost the points for numbers."""
+        """The values published after the call that equal none of the numbers to publish.
+
+        Repeated numbers aren't included, because they already cost the points for numbers.
+        """
         return [one for one in self.later if all(abs(one - number) > TOLERANCE for number in self.due)]
 
     @property
     def refused(self) -> bool:
-        """Whether it raised an error and sent nothing."""
+        """Whether the call raised an error and published nothing."""
         return self.how == "raised" and not self.sent and not self.strange
 
     def sends_number_of(self, before: "Call") -> bool:
-        """Whether it sends the number of the call with a number before it, and not its own."""
+        """Return whether this call published the number of the call `before` instead of its own."""
         return self.meant != before.meant and any(abs(n - before.meant) <= TOLERANCE for n in self.sent[:1])
 
 
 class Calls:
-    """The calls that the driver reported, and what was published meanwhile."""
+    """The calls that the driver reported, and the values published during and between them."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording = recording
         self.reports = see.driver_reports(recording, REPORT)
         self.trouble = self.reported("not made: ")  # why no call could be made, if that is so
-        # the first one stands for the time before any call
+        # the first element stands for the time before any call
         self.all = [Call(one) for one in see.driver_calls(recording, REPORT, BATTERY)]
         self.judged = [call for call in self.all if call.number and call.complete]
         self.numbers = [call for call in self.judged if call.is_number]
@@ -181,26 +184,26 @@ class Calls:
         self.made = {one.number: one.argument for one in self.all if one.argument is not None and one.number}
         self.not_requested = [text for n, text in self.made.items() if self.requested[n - 1 : n] != [text]]
         self.too_few = "done" in self.reports and 0 < max(self.made, default=0) < len(self.requested)
-        # the argument of the last call that began; nothing if none did, or if its report was lost
+        # the argument of the last call that began; empty if no call began, or if its report was lost
         self.latest = [one.argument for one in self.all[-1:] if one.number and one.argument is not None]
 
     def reported(self, begin: str) -> list[str]:
-        """How the reports go on that begin so."""
+        """Return the rest of each report that begins with `begin`."""
         return [report.removeprefix(begin) for report in self.reports if report.startswith(begin)]
 
     @property
     def at_the_start(self) -> list[float]:
-        """What was published when the node was created. Only the driver, in the same process, knows of that."""
+        """The values published when the node was created. Only the driver, in the same process, could see them."""
         return [float(level) for level in self.reported("sent before any call: ")]
 
     @property
     def early(self) -> list[str]:
-        """What was published before any call."""
+        """The values published before any call."""
         return [as_float(level) for level in (*self.at_the_start, *self.all[0].later)]
 
     @cached_property
     def invented(self) -> list[str]:
-        """The arguments for which a zero was published, although none of them is a zero."""
+        """The arguments for which the node published a zero, although none of them is a zero."""
         may_be_zero = [call.number for call in self.all if call.number and not call.is_other_than_zero]
         first = min(may_be_zero, default=0)
         invented = [
@@ -215,7 +218,7 @@ calls = see.once(Calls)
 
 
 class Case:
-    """A call that went wrong, among all that were judged."""
+    """A call that went wrong, next to all judged calls."""
 
     def __init__(self, call: Call, judged: Sequence[Call]) -> None:
         self.call, self.kind, self.tolerance = call, call.kind, TOLERANCE
@@ -237,14 +240,15 @@ class Case:
         self.zero_raised = any(one.how == "raised" for one in judged if one.argument == "0.0")
         self.refused_for = {one.argument for one in judged if one.refused}
 
-        # whether the same call arrived before, or all numbers did until some call after a refusal, and none since
+        # whether this number arrived before, or all numbers arrived until some call after a refusal, and none since
+        # then
         same_arrived = any(one.argument == call.argument and one.arrived for one in self.before)
         first_refused = min((one.number for one in judged if one.refused and not one.is_number), default=0)
         first_lost = next((one.number for one in self.numbers if not one.arrived), 0)
         only_until = all(one.arrived == (one.number < first_lost) for one in self.numbers)
         self.worked_before = same_arrived or (1 < first_refused < first_lost and only_until)
 
-        # whether the numbers that did not arrive are just those after a refused call, or after one of some kind
+        # whether only those numbers are missing that follow a refused call, or a refused call of one kind
         pairs = [(last, one) for last, one in pairwise(judged) if one.is_number]
         lost = {one.number for _, one in pairs if not one.arrived}
         errors = [(last.kind, one.number) for last, one in pairs if last.how == "raised"]
@@ -351,7 +355,7 @@ def calls_come_back(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/robot/battery carries Float32", needs=[calls_come_back])
 def battery_topic(recording: Recording) -> Verdict:
-    # The log holds the errors of the calls. They are judged one by one, and are no reason why a topic is missing.
+    # The log contains the calls' errors. Those are judged one by one, and don't explain a missing topic.
     silent = replace(recording, process=replace(recording.process, log=""))
     return see.publishes(silent, BATTERY)
 
@@ -404,7 +408,7 @@ def no_invented_zero(recording: Recording) -> Verdict:
 
 
 def all_right(recording: Recording, kind: str, praise: str) -> Verdict:
-    """All arguments of this kind arrived if they are numbers, and were refused otherwise."""
+    """Check all calls with this kind of argument: numbers must have arrived, and other arguments must be refused."""
     judged = calls(recording).judged
     made = [call for call in judged if call.kind == kind]
     wrong = [call for call in made if not (call.arrived if call.is_number else call.refused)]

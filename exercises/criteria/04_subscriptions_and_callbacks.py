@@ -1,6 +1,7 @@
-"""How exercise 04 is judged: good and bad readings are sent to the monitor, and its answers are compared.
+"""Judge exercise 04: send good and bad readings to the monitor, and compare its messages with them.
 
-The readings are drawn for each run. What they have in common in each draw is what the causes below tell apart.
+The readings are drawn for each run. They share certain properties in every draw, which let us tell the causes below
+apart.
 """
 
 import math
@@ -31,7 +32,7 @@ LIMITS, LOW_AT_MOST, NEAR_LIMIT, JUMP = {0.0, 100.0}, 20.0, 0.5, 10.0
 APART_S, MOMENT_S, SAME_MOMENT_S, PAUSE_S, OTHERS_AFTER_S = 0.1, 0.05, 0.01, 1.0, 0.55
 EARLIEST_S, LATEST_S, LONGER_GAPS = 0.3, 0.7, 6
 
-# Which good reading is what, counted from 1. A battery drains, is changed for a full one, runs out, is changed again.
+# Numbers of certain good readings, from 1. A battery drains, is replaced by a full one, runs out, and is replaced.
 FULL_ONE, FIRST_LOW, EMPTY_ONE, FIRST_AGAIN, LAST_GOOD = 9, 19, 22, 23, 42
 AT_ONE_MOMENT, BAD_ONES = 4, 12
 
@@ -41,13 +42,13 @@ def is_good(reading: float) -> bool:
 
 
 def draining(rng: Random, first: float, count: int, most: float) -> list[float]:
-    """Draw readings that get lower by a quarter up to `most`, all of them whole quarters."""
+    """Draw `count` falling readings in multiples of 0.25, beginning with `first`. Each falls by at most `most`."""
     steps = [rng.randint(1, round(4 * most)) / 4 for _ in range(count - 1)]
     return [*accumulate(steps, sub, initial=first)]
 
 
 def drawn_good_ones(rng: Random, equals: Sequence[int]) -> list[float]:
-    """Draw all good readings. Only those at `equals`, counted from 1, are equal to others: to the next ones."""
+    """Draw all good readings. Only those with the numbers `equals` (from 1) equal another one: the next."""
     lows = [rng.randint(40, 79) / 4, rng.randint(8, 36) / 4, rng.randint(3, 7) / 8, 0.0]
     good = [
         *draining(rng, rng.randint(176, 216) / 4, FULL_ONE - 1, 1.0),
@@ -61,7 +62,10 @@ def drawn_good_ones(rng: Random, equals: Sequence[int]) -> list[float]:
 
 
 def drawn_bad_ones(rng: Random) -> list[list[float]]:
-    """Draw bad readings, those in a row together. Only the first of a row comes twice: other alarms fit just one."""
+    """Draw the bad readings in rows, each sent without a good reading in between.
+
+    Only a reading that begins a row is sent twice, so an alarm about any other fits just one reading.
+    """
     above, not_finite = rng.randint(420, 780) / 4, [math.inf, math.nan]
     rng.shuffle(not_finite)
     single = [rng.choice((-0.125, -0.25)), 100.0 + BIT, rng.randint(1, 8) * 1e9, -BIT, -math.inf]
@@ -71,11 +75,12 @@ def drawn_bad_ones(rng: Random) -> list[list[float]]:
 
 
 def fits(rows: Sequence[Sequence[float]], slots: Sequence[int]) -> bool:
-    """Tell whether these bad readings may come behind these good ones.
+    """Return whether the `rows` of bad readings can be sent after the good readings with the numbers `slots`.
 
-    Of what is not finite, nan comes first, after an alarm: who cannot bear it ends there. Two good readings lie
-    between bad ones, so that it shows what came in place of which. And a bad reading lies between each limit and the
-    one that is hardly beyond it, because a rounded alarm may name either.
+    Among the values that aren't finite, NaN comes first, but after another alarm: a monitor that can't handle NaN ends
+    there. At least two good readings lie between rows, to show which bad reading a strange value replaced. At least one
+    other row lies between a reading at a limit and the one just beyond that limit, because a rounded alarm could mean
+    either.
     """
     not_finite = [row[0] for row in rows if not all(map(math.isfinite, row))]
     near = [(FULL_ONE, 100.0 + BIT), (EMPTY_ONE, -BIT)]
@@ -88,12 +93,12 @@ def fits(rows: Sequence[Sequence[float]], slots: Sequence[int]) -> bool:
 
 
 def drawn_readings(rng: Random) -> list[tuple[float, float]]:
-    """Draw each reading with the moment (s of simulated time) at which it is sent."""
+    """Draw all readings. Return pairs of the moment (s of simulated time) to send a reading, and the reading."""
     pause, at_one_moment = rng.randint(3, 6), rng.randint(FIRST_AGAIN + 3, LAST_GOOD - 8)
     moment = range(at_one_moment, at_one_moment + AT_ONE_MOMENT)
     later = [n for n in range(FIRST_AGAIN + 1, LAST_GOOD - 2) if not {n, n + 1} & {*moment}]
     equals = [rng.randint(2, 6), rng.choice(later)]
-    # Behind these no bad ones come: one in front of a limit may be clamped to it, and one beside equal ones repeated.
+    # No bad reading follows these: before a limit, it may be clamped to that limit; next to equal readings, repeated.
     taken = {pause, FULL_ONE - 1, EMPTY_ONE - 1, moment[0] - 1, *moment, *equals, *(n - 1 for n in equals)}
     free = [n for n in range(3, LAST_GOOD) if n not in taken]
     while True:
@@ -107,7 +112,7 @@ def drawn_readings(rng: Random) -> list[tuple[float, float]]:
     longer = rng.sample([n for n in range(1, LAST_GOOD) if n != pause and n not in moment], LONGER_GAPS)
     lines, at = [], rng.randint(round(10 * EARLIEST_S), round(10 * LATEST_S)) / 10
     for number, reading in enumerate(drawn_good_ones(rng, equals), 1):
-        # On simulated time, all that is due within one step of 0.1 s is sent together.
+        # In simulated time, all readings that are due within one step of 0.1 s are sent together.
         before_s = SAME_MOMENT_S * (moment[-1] - number) if number in moment else 0.0
         lines.append((at - before_s, reading))
         at += 0.0 if number in moment[:-1] else APART_S
@@ -119,7 +124,11 @@ def drawn_readings(rng: Random) -> list[tuple[float, float]]:
 
 
 def drawn(rng: Random) -> list[see.Part]:
-    """Draw the readings of both robots. Ours are whole quarters, and so is what is made of them; the others are not."""
+    """Draw the script with both robots' readings.
+
+    The other robot's readings are odd multiples of 1/8. Ours in the same range are multiples of 1/4, and so are sums
+    and differences of them.
+    """
     lines = drawn_readings(rng)
     begin = next(at for (at, _), (later, _) in pairwise(lines) if later - at > PAUSE_S)
     levels = (rng.randint(60, 80), rng.randint(-50, -30), rng.randint(60, 80))
@@ -129,14 +138,17 @@ def drawn(rng: Random) -> list[see.Part]:
     return [see.publish(BATTERY, Float32, lines), see.publish(OTHER_BATTERY, Float32, theirs, awaited=False)]
 
 
-# A timer that repeats the last alarm each second does so in the time after the last reading.
+# After the last reading, there's enough time for a timer that repeats the last alarm every second.
 GAPS = LAST_GOOD + BAD_ONES - AT_ONE_MOMENT + 1 + LONGER_GAPS
 WATCH_S = LATEST_S + APART_S * GAPS + PAUSE_S + 1.4
 WATCH = watching(simulated_seconds=WATCH_S, wall_seconds=WATCH_S, script=drawn)
 
 
 class Readings:
-    """The readings of one run. What some have in common is a set of their places among the good or the bad ones."""
+    """The readings of one run.
+
+    Readings with something in common form a set of places among the good or the bad ones.
+    """
 
     def __init__(self, readings: Sequence[float], sent_at: Sequence[float], others: Sequence[float]) -> None:
         self.readings, self.sent_at, self.others = readings, sent_at, others  # others: of the other robot
@@ -157,7 +169,10 @@ class Readings:
         self.bad_in_a_row = {n for n, place in enumerate(self.bad_places) if place - 1 in self.bad_places}
 
     def bad_before(self, place: int, arrived: Sequence[float]) -> int:
-        """Count the bad readings directly before a good one: at `place`, or behind those equal to what arrived."""
+        """Count the bad readings right before the good one at `place`.
+
+        If all values in `arrived` equal that good reading, use the next good reading that differs from them.
+        """
         while place < len(self.good) and {self.good[place]} == set(arrived):
             place += 1
         ends = [-1, *self.good_places, len(self.readings)]
@@ -169,7 +184,7 @@ def kinds_of(bad: Sequence[float]) -> set[str]:
 
 
 class Answers:
-    """What the monitor published on a topic, and what was sent to it or was still to be sent when it ended."""
+    """The monitor's messages on one topic, and the script: readings sent, or still due when the monitor ended."""
 
     def __init__(self, recording: Recording, answer: Topic) -> None:
         self.recording, self.at_once_s = recording, AT_ONCE_S
@@ -190,7 +205,7 @@ AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
 
 
 class Alarm:
-    """A text on /monitor/alarm, and what was sent last before it was published."""
+    """A text on /monitor/alarm, and the last reading that was sent before it was published."""
 
     def __init__(self, arrival: see.Arrival, words: Sequence[see.Published], sent: Readings) -> None:
         self.text, self.wall = str(arrival.value.get("data")), arrival.published  # s of wall time
@@ -209,7 +224,7 @@ class Alarm:
         self.is_about_good = is_good(self.after) or (names_good and not self.names_bad)
 
     def names(self, *readings: float) -> bool:
-        """Whether it contains one of these readings."""
+        """Return whether the text contains one of these readings, exactly or rounded."""
         if any(map(math.isnan, readings)) and any(map(math.isnan, self.numbers)):
             return True
         pairs = product(readings, self.numbers)
@@ -217,7 +232,7 @@ class Alarm:
 
 
 class Alarms(Answers):
-    """What arrived on /monitor/alarm, sorted by what it is about. Places are those of the bad readings."""
+    """The messages on /monitor/alarm, sorted by the readings that they are about. Places count the bad readings."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording, ALARM)
@@ -227,12 +242,12 @@ class Alarms(Answers):
         self.others = [alarm for alarm in self.all if alarm.is_about_other]
         own = [alarm for alarm in self.all if not alarm.is_about_other]
 
-        # for as many bad readings as possible, in their order, an own alarm that names it: the places of both
+        # match as many bad readings as possible, in order, with an alarm of our robot that names it: the places of both
         best = defaultdict[tuple[int, int], dict[int, int]](dict)  # the pairs from there on
         for i, j in product(reversed(range(len(bad))), reversed(range(len(own)))):
             both = [{i: j, **best[i + 1, j + 1]}] if own[j].names(bad[i]) else []
             best[i, j] = max(*both, best[i, j + 1], best[i + 1, j], key=len)
-        # a text that is the same for different readings names none
+        # a text that is the same for different readings names none of them
         named = Counter(text for text, _ in {(own[j].text, repr(bad[i])) for i, j in best[0, 0].items()})
         self.pairs = {i: j for i, j in best[0, 0].items() if named[own[j].text] == 1}
         self.missed = [place for place in range(len(bad)) if place not in self.pairs]
@@ -240,12 +255,13 @@ class Alarms(Answers):
         paired = {*self.pairs.values()}
         unpaired = [alarm for n, alarm in enumerate(own) if n not in paired]
 
-        # where there is one alarm for each bad reading: readings that theirs does not name, and these alarms
+        # if there's one alarm per bad reading: the readings that their alarms don't name, with these alarms
         after_bad = [alarm for alarm in unpaired if not is_good(alarm.after)]
         one_each = len(own) == len(bad) and 2 * len(after_bad) > len(unpaired)
         places = range(len(bad) if one_each else 0)
         misnamed = [(bad[place], own[place]) for place in places if self.pairs.get(place) != place]
-        # An alarm may name its reading by chance: those that don't are clues, and those of finite readings.
+        # An alarm may name its reading by chance, so alarms that don't are better clues. So are those of finite
+        # readings.
         finite = [(reading, alarm) for reading, alarm in misnamed if math.isfinite(reading)]
         unnamed = [(reading, alarm) for reading, alarm in finite if not alarm.names(reading)]
         self.clues = (unnamed if 2 * len(unnamed) >= len(finite) else finite) or misnamed
@@ -254,7 +270,7 @@ class Alarms(Answers):
             for reading, alarm in self.clues
         )
 
-        # those about good readings, unless they repeat an alarm that was due; all others are repeated ones
+        # alarms about good readings, unless they repeat a due alarm; all other alarms are repetitions
         due = {own[n].text for n in paired}
         about_good = [alarm for alarm in unpaired if alarm.is_about_good]
         false = {a: None for a in about_good if not (a.names_bad and a.text in due) or a.names(a.after)}
@@ -269,7 +285,7 @@ class Alarms(Answers):
         self.false_before_bad = any(alarm.wall < first_bad for alarm in self.false)
 
     def misnamed_as(self, fits: Callable[[float, float], bool]) -> bool:
-        """Whether all these alarms contain a number that fits the reading."""
+        """Return whether each alarm in `clues` contains a number that `fits` its reading."""
         return all(any(fits(number, reading) for number in alarm.numbers) for reading, alarm in self.clues)
 
 
@@ -277,7 +293,7 @@ alarms = see.once(Alarms)
 
 
 class Forwarded(Answers):
-    """What arrived on /monitor/battery, compared with what was sent. Places are those of the good readings."""
+    """The messages on /monitor/battery, compared with the readings sent. Places count the good readings."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording, FORWARDED)
@@ -290,10 +306,11 @@ class Forwarded(Answers):
         self.good, self.bad = [*filter(is_good, own)], [level for level in own if not is_good(level)]
         self.different_bad = list(dict.fromkeys(f"{level:.7g}" for level in self.bad))
 
-        # what makes the good readings those that arrived: places of missing ones, and what arrived there
+        # the edits that turn the good readings into those that arrived: missing places, and the values that arrived
+        # there
         codes = SequenceMatcher(None, sent, self.good, autojunk=False).get_opcodes()
         edits = [(range(i, end), self.good[j:to]) for kind, i, end, j, to in codes if kind != "equal"]
-        # of what was not sent, the monitor may publish as much in place of bad readings as there are
+        # in place of bad readings, the monitor may publish as many other values as there are bad readings
         self.has_extra = any(
             new and (gone or len(new) > self.sent.bad_before(gone.start, new)) for gone, new in edits
         )
@@ -322,7 +339,7 @@ class Forwarded(Answers):
         ]
 
     def lacks(self, places: set[int]) -> bool:
-        """Whether the missing readings are those at these places, or equal ones."""
+        """Return whether the missing readings are those at these places, or equal ones."""
         good = list(enumerate(self.sent.good))
         return [one for n, one in good if n not in self.lost] == [one for n, one in good if n not in places]
 

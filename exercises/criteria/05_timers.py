@@ -1,4 +1,4 @@
-"""How exercise 05 is judged: a minute of simulated time, and how often each topic spoke in it."""
+"""Judge exercise 05 by a minute of simulated time: how many messages each topic had, and how evenly they came."""
 
 from std_msgs.msg import Float32, String
 
@@ -52,12 +52,15 @@ def alive_at_end(recording: Recording) -> Verdict:
 
 
 def in_rhythm(recording: Recording, one: Topic) -> Verdict:
-    """Evenly, as often as asked, and counted over the whole watch."""
+    """Check that a topic's messages come evenly, at the required rate, and in the right number over the whole watch."""
     return see.all_of(see.rate(recording, one), see.counts(recording, one), see.keeps_period(recording, one))
 
 
 def carries_floats(recording: Recording, one: Topic) -> Verdict:
-    """The topic is there, and what is on it was given as a float. That something comes is judged with the rhythm."""
+    """Check that the topic exists and that its values were floats.
+
+    Whether it has messages is judged with the rhythm.
+    """
     published = see.publishes(recording, one)
     if not published.ok or not see.values(recording, one):
         return published

@@ -1,6 +1,6 @@
-"""How exercise 06 is judged: a driver calls `pump` eight times, and everything that the nodes did is on the topics.
+"""Judge exercise 06: a driver calls `pump` eight times, and the nodes publish everything that they do.
 
-Which words and jobs the robots get is drawn for each run, and when the burst of words comes.
+Each run draws the words and jobs that the robots get, and the moment of a burst of words.
 """
 
 import math
@@ -26,17 +26,17 @@ PUMP = topic("/driver/pump", String, signed=True)
 CHANGED = topic("/driver/changed", String, signed=True)
 Report = tuple[float, int, int]  # when (s of wall time), in which call, and a number
 ROBOT_TOPICS = (HEARTBEAT, LOOK, HEARD, JOB_BEGUN, QUIET_HEARD, JOB_DONE)
-# What the driver says on /driver/pump of the call with a number. Others may publish there, too.
+# The driver's announcements on /driver/pump, with the call's number. Other nodes may publish there, too.
 ANNOUNCEMENT = re.compile(
     r"begin \d{1,9}|raised \d{1,9} (?P<raised>.*)|end \d{1,9}(?P<end>( \d{1,9}(\.\d{1,9})?){1,4})", re.DOTALL
 )
 
-# The calls of pump by their number, and for how many seconds each asks. Between two calls the robots report 0.
+# The numbers of pump's calls, and how long (s) each should take. Between two calls, the robots report 0.
 BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET, JOBS_ALONE = range(9)
 ASKED_S = (0.0, 2.1, 1.2, 0.08, 0.08, 0.05, 0.8, 1.6, 0.08)
 ROBOT_CALLS = (BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST)
 SHORT_CALLS = (SHORT, SHORT_TOO, SHORTEST)
-NEVER = math.inf  # when a call begins that isn't made, or ends that doesn't return
+NEVER = math.inf  # begin of a call that isn't made, and end of one that doesn't return
 BURST_WORDS, WAITING_WORDS = 20, 5
 JOBS = 7
 JOBS_IN_A_ROW = 5  # for a robot without timers: two of them are two callbacks in a row
@@ -54,11 +54,14 @@ SHARE_WITH_TIMERS = 0.4  # right functions use up to a tenth, one that never wai
 
 DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
 A_FEW_BEATS = 3  # fewer may be chance
-AHEAD_S = 0.01  # nobody who waits for the end comes back so early
+AHEAD_S = 0.01  # a function that waits for the end never returns so early
 
 
 def drawn(rng: Random) -> list[see.Part]:
-    """What the driver is told to call, and what the robots receive meanwhile. No number comes twice."""
+    """Draw the script: the driver's orders, and the words and jobs for the robots.
+
+    Except for 0, no number occurs twice on a topic.
+    """
     words = rng.sample(NUMBERS, BURST_WORDS + WAITING_WORDS)
     jobs = rng.sample(NUMBERS, JOBS + JOBS_IN_A_ROW)
     quiet_words = rng.sample(NUMBERS, QUIET_WORDS)
@@ -66,14 +69,14 @@ def drawn(rng: Random) -> list[see.Part]:
     starts = (0.2, 2.75, 4.15, 4.15, 4.15, 5.3, 6.65, 8.4)
     robots = (*["robot"] * 6, "quiet_robot", "worker")
     orders = [f"{number} {robot} {ASKED_S[number]}" for number, robot in enumerate(robots, start=1)]
-    # The driver carries out once what it is told three times.
+    # The driver receives each order three times, and carries it out once.
     go = [(at + 0.1 * n, order) for at, order in zip(starts, orders, strict=True) for n in range(3)]
-    # A 0 is not judged: a message may hang until the next one.
+    # A 0 isn't judged. It follows the words because a lost message may arrive only with the next one.
     heard = [(burst_at, word) for word in words[:BURST_WORDS]]
     heard += [(burst_at + after, 0) for after in (0.15, 0.35, 0.65)]
     heard += [(2.5, word) for word in words[BURST_WORDS:]]
     heard += [(at, 0) for at in (2.9, 3.1, 3.3)]
-    # The last two so late that a wait that begins anew shows, even when the call itself began half a second late.
+    # The last two come so late that a restarted wait shows, even if the call itself began half a second late.
     quiet = [*zip((7.4, 7.47, 8.0, 8.07), quiet_words, strict=True)]
     return [
         see.publish("/driver/go", String, go),
@@ -88,7 +91,7 @@ WATCH = watching(wall_seconds=9.8, script=drawn)
 
 
 class Call:
-    """One call of `pump`, in s of wall time: when it began and came back, how long it took, what it raised."""
+    """One call of `pump`: its begin and end (s of wall time), its duration (s), and the error that it raised."""
 
     def __init__(self, run: "Run", number: int) -> None:
         self.run, self.number, self.asked, self.recording = run, number, ASKED_S[number], run.recording
@@ -100,12 +103,12 @@ class Call:
         if ends:
             self.end, measured = ends[0]
             took, used, in_line, taken = [*map(float, measured.split()), 0.0, 0.0, 0.0][:4]
-            # What the driver measured is more exact than when its report arrived, and must fit it.
+            # The driver's measurement is more exact than its report's arrival, but the two must agree.
             arrived = self.end - self.begin
             self.took = took if abs(arrived - took) <= DELAY_S else arrived
             self.begin = min(self.begin, self.end - self.took)
         self.waited = in_line + taken  # because the machine kept the program waiting
-        # the share of one processor (1.0: all of it) while the program had one, so on a busy machine, too
+        # the used share of one processor (1.0: all of it), not counting the wait for a processor on a busy machine
         self.processor = used / (max(self.took - in_line, used) or 1.0)
         self.is_back = self.end < NEVER
         until = self.end if self.is_back else run.recording.wall_s
@@ -114,7 +117,7 @@ class Call:
         self.ahead = -self.late
         self.is_early = self.is_back and self.late < -EARLY_S
         self.extra = JOB_S if number in (SLOW, JOBS_ALONE) else 0.0  # for a job that runs when the time is up
-        self.kept_waiting = self.waited + run.machine_s  # program or judge: no answer is late for that
+        self.kept_waiting = self.waited + run.machine_s  # program or judge, so the answer isn't to blame
         self.is_late = self.late > self.extra + LATE_S + self.kept_waiting
 
         self.beats = [at for at, call, _ in run.reports[HEARTBEAT] if call == number]
@@ -131,7 +134,7 @@ class Call:
 
 
 class Run:
-    """The calls that the driver announced, and what the robots reported."""
+    """The calls that the driver announced, and the robots' reports."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording: Recording = recording
@@ -145,12 +148,12 @@ class Run:
         self.calls = [Call(self, number) for number in range(len(ASKED_S))]
         self.between, self.first, self.second = self.calls[BETWEEN], self.calls[BURST], self.calls[AGAIN]
         self.slow, self.quiet, self.alone = self.calls[SLOW], self.calls[QUIET], self.calls[JOBS_ALONE]
-        # What calls have changed that is not their own: "3: 1 timer left". The first, without its number.
+        # The unwanted changes that calls made, such as "3: 1 timer left". Then the first one without its number.
         self.changes = [one.replace(" ", ": ", 1) for one in see.driver_reports(recording, CHANGED)]
         self.changed_in, _, self.change = self.changes[0].partition(": ") if self.changes else ("", "", "")
         self.left = next((change for change in self.changes if change.endswith("left")), None)
 
-        # the calls with the robot that came back
+        # the calls with the robot that returned
         self.returned = [self.calls[number] for number in ROBOT_CALLS if self.calls[number].is_back]
         self.typical = median([call.late - call.waited for call in self.returned] or [0.0])
         self.worst = max(self.returned, key=lambda call: call.late, default=self.first)
@@ -166,15 +169,15 @@ class Run:
         self.does_less = self.rare_beats or len(self.waiting_handled) < WAITING_WORDS
         is_late = self.second.late > 2 * LATE_S + self.second.kept_waiting
         self.second_like_first = is_late and abs(self.second.took - self.first.took) < EARLY_S
-        # In the short calls, no timer may fire though one is due, unless the machine took their time.
+        # In the short calls, due timers don't fire, and the machine didn't keep the calls waiting.
         short = [self.calls[number] for number in SHORT_CALLS]
         idle = all(call.is_back and not call.beats and not call.looks for call in short)
         waited = self.machine_s + sum(call.waited for call in short)
         self.short_calls_idle = idle and waited <= LATE_S and bool(self.second.beats)
-        # A short call without jobs came back in time, and the one with jobs was made.
+        # A short call without jobs returned in time, and the call with jobs was made.
         self.short_in_time = min(call.took for call in short) <= LATE_S and self.alone.begin < NEVER
 
-        # What waiting took of a processor. What callbacks cost depends on the executor and the machine.
+        # The CPU time of waiting. The CPU time of callbacks depends on the executor and the machine.
         with_timers = (self.first, self.second)
         busiest = max(call.processor for call in with_timers)
         self.idle_share = self.quiet.processor if self.quiet.is_back else busiest
@@ -190,7 +193,7 @@ class Run:
 
 
 def reports(recording: Recording, one: see.Topic) -> list[Report]:
-    """Read what a robot reported on a topic, in the order of arrival."""
+    """Return a robot's reports on a topic, in the order of arrival."""
     found = []
     for arrival in recording.topic(one.name).arrivals:
         match arrival.value:
@@ -200,7 +203,7 @@ def reports(recording: Recording, one: see.Topic) -> list[Report]:
 
 
 def sent(recording: Recording, name: str) -> list[int]:
-    """Take the numbers that the judge has for a robot on a topic, in order, without those that are not judged."""
+    """Return the numbers that the script sends to a robot on a topic, in order. A 0 isn't judged, so it's left out."""
     return [one.value["data"] for one in see.script(recording, name) if one.value["data"]]
 
 
@@ -393,7 +396,7 @@ def nothing_left_running(recording: Recording) -> Verdict:
 
 
 def in_time(call: Call) -> Verdict:
-    """The call took as long as asked."""
+    """Check that the call took as long as asked."""
     lost = NOT_MADE.first(call)
     if lost is None and not call.is_back and call.late < call.extra + LATE_S:
         return see.passed("the judge stopped watching before the call's time was up")

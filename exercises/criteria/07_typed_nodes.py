@@ -1,6 +1,6 @@
-"""How exercise 07 is judged: mypy reads the node and code that uses it, and a driver uses it while it runs.
+"""Judge exercise 07: mypy checks the node and code that uses it, and a driver uses the node while it runs.
 
-Which numbers the driver sends, and in which order it makes its calls, is drawn for each run.
+Each run draws the numbers that the driver sends and the order of its calls.
 """
 
 import re
@@ -18,7 +18,7 @@ WORDS = see.Words(__file__)
 BATTERY = topic("/robot/battery", Float32, hz=1.0)
 STATUS = topic("/robot/status", String, hz=0.5)
 REPORT = topic("/driver/report", String, signed=True)
-# What would become of a wrong call, if it were sent; the node itself sends other values.
+# The values that wrong calls would publish. The node itself publishes other values.
 WRONG_LEVELS = (87.5, 50.0, 12.5)
 NEVER_SENT = (
     "operatoinal", "3", "None", "Error", " error", "error\n", "oper", "error: arm", "charging", "",
@@ -51,9 +51,9 @@ WRONG_MESSAGES = (
 
 
 def drawn_calls(rng: Random, numbers: list[str], twice: str) -> str:
-    """All calls of one order, a line for each: a number twice in a row, after all others.
+    """Return one order: all calls, one per line, with the call `twice` made twice in a row after all other numbers.
 
-    Of what is no word of the status, a text comes first: a check that refuses only once shows.
+    Among the wrong words, a text comes first, which exposes a check that refuses only once.
     """
     calls = [*numbers, GOOD_WORD, GOOD_MESSAGE, *WRONG_NUMBERS, *WRONG_WORDS, *WRONG_MESSAGES]
     rng.shuffle(calls)
@@ -65,7 +65,7 @@ def drawn_calls(rng: Random, numbers: list[str], twice: str) -> str:
 
 
 def drawn(rng: Random) -> list[see.Part]:
-    """One order in each half of the watch, with the same calls."""
+    """Draw the script: one order in each half of the watch. Both orders have the same calls."""
     levels = (
         f"{rng.randrange(21, 80, 2)}",
         f"{rng.randint(21, 79)}.25",
@@ -166,39 +166,39 @@ NO_VALUE = probe(
 
 
 def level_of(call: str) -> float | None:
-    """The number that a call sends; None if it must send none."""
+    """Return the number that a call must publish; None if it must publish none."""
     found = NUMBER_CALL.fullmatch(call)
     return float(found[1]) if found else None
 
 
 def is_whole(call: str) -> bool:
-    """Whether a call sends an int."""
+    """Return whether a call's argument is an int."""
     found = NUMBER_CALL.fullmatch(call)
     return found is not None and found[1].isdecimal()
 
 
 class Use:
-    """What the driver called, what became of it, and what arrived."""
+    """The driver's calls, their outcomes, and the messages that arrived."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording = recording
         self.orders = [one.wall for one in see.published(recording, "/driver/go")]  # in s of wall time
         ordered = [one.value["data"].splitlines() for one in see.script(recording, "/driver/go")][:1]
         calls = [call for order in ordered for call in order]  # each as one writes it
-        # The calls that send a number, each once: a whole one first, the smallest ones last.
+        # Each call that publishes a number, once: ints first, the smallest numbers last.
         numbers = {call: level for call in calls if (level := level_of(call)) is not None}
         by_kind = sorted(numbers.items(), key=lambda one: (not is_whole(one[0]), one[1] < 1.0, one[1]))
         self.numbers = dict(by_kind)
-        # The call that the driver makes twice in a row; its last one with a right number.
+        # The call that the driver makes twice in a row. It's the last call with a right number.
         self.twice = next((call for call, times in Counter(calls).items() if times > 1), "")
-        # What the driver sends, if its wrong calls are sent, too.
+        # All values that may come from the driver, including those of wrong calls.
         self.sent = {*self.numbers.values(), *WRONG_LEVELS}
 
-        # Each call that was made, and what became of it: "returned", or the error.
+        # Each call that was made, and its outcome: "returned", or the error.
         reports = see.driver_reports(recording, REPORT)
         parts = [line.partition("\t") for text in reports for line in text.splitlines()]
         self.made = [(call, end) for call, mark, end in parts if mark]
-        # If the two ends of a call differ, the one that should not be counts.
+        # If a call had different outcomes, the wrong one counts.
         self.ends: dict[str, str] = {}
         for call, end in self.made:
             is_right = call in (GOOD_WORD, GOOD_MESSAGE) or level_of(call) is not None
@@ -212,13 +212,13 @@ class Use:
         self.words = see.values(recording, STATUS)
         self.errors = self.words.count("error")
         self.errors_asked = self.times_done(GOOD_WORD) + self.times_done(GOOD_MESSAGE)
-        # Each order asks for one 0.0.
+        # Each order requests one 0.0.
         asked = sum(f"{ZERO}\treturned" in text for text in reports)
         self.zeros_too_many = max(0, self.levels.count(0.0) - asked)
 
-        # What the node reports by itself, without what the driver sent through it. The driver makes its calls in one
-        # callback, from an order to its report. The node's timers do not run meanwhile, but a thread of its own may:
-        # what fits between its other reports is the node's.
+        # The node's own reports, without the values that the driver sent through the node. The driver makes its calls
+        # in one callback, from an order to its reports. During this time, the node's timers don't run, but a thread of
+        # the node may. So a value that fits between the node's other reports counts as the node's own.
         reported = [one.published for one in recording.topic(REPORT.name).arrivals]
         spans = [(at, min((end for end in reported if end >= at), default=at)) for at in self.orders]
         topics = dict(recording.topics)
@@ -231,29 +231,32 @@ class Use:
             topics[one.name] = replace(seen, arrivals=own)
         self.own = replace(recording, topics=topics)
 
-        # its charge before and after each order; none if one of them is missing
+        # the node's charge before and after each order; empty if one of them is missing
         charges = [(one.published, one.value["data"]) for one in self.own.topic(BATTERY.name).arrivals]
         before = [[level for at, level in charges if at < order][-1:] for order in self.orders]
         after = [[level for at, level in charges if at >= order][:1] for order in self.orders]
         pairs = zip(before, after, strict=True)
         self.around_orders = [(a, b) for [a], [b] in pairs] if all(before) and all(after) else []
-        # It goes on with the number that the driver sent last, each time.
+        # After each order, the node continues with the driver's last number.
         last = self.numbers.get(self.twice, 0.0)
         goes_on = all(0.0 <= last - after <= NEAR for _, after in self.around_orders)
         jumps = [abs(before - last) > NEAR for before, _ in self.around_orders]
         self.level_replaced = goes_on and any(jumps[:1])
-        # It says "error" from the driver's first calls on, although its battery has charge.
+        # From the driver's first calls on, the node publishes "error", although its battery has charge.
         first = min(self.orders, default=0.0)
         said = {(one.published < first, one.value["data"]) for one in self.own.topic(STATUS.name).arrivals}
         changes = said == {(True, "operational"), (False, "error")}
         self.error_kept = bool(self.orders) and changes and 0.0 not in see.values(self.own, BATTERY)
 
     def times_done(self, call: str) -> int:
-        """Count how often the driver made this call, and it raised nothing."""
+        """Return how many times the driver made this call without an error."""
         return self.made.count((call, "returned"))
 
     def fits_between(self, arrival: see.Arrival, others: list[see.Arrival]) -> bool:
-        """Say whether it is no value of the driver, and lies between the charges around it."""
+        """Return whether an arrival may be the node's own report rather than one of the driver's values.
+
+        It must be "operational", or a charge between the charges before and after it.
+        """
         value = arrival.value["data"]
         if isinstance(value, str):
             return value == "operational"
@@ -263,7 +266,7 @@ class Use:
 
 
 class NumberCall:
-    """One of the calls that send a number, or a right message."""
+    """One of the calls that publish a number."""
 
     def __init__(self, use: Use, call: str) -> None:
         self.use, self.call, self.number = use, call, use.numbers[call]
@@ -277,20 +280,20 @@ class NumberCall:
 
     @property
     def near(self) -> list[float]:
-        """What arrived that may be this number, rounded; 0.0 is sent, too."""
+        """The values that may be this number, rounded. 0.0 is left out, because the driver sends 0.0 as well."""
         rounded = {float(int(self.number)), *(round(self.number, digits) for digits in range(5))} - {0.0}
         return [level for level in self.use.levels if any(abs(level - one) < ROUNDING for one in rounded)]
 
 
 class Refusals:
-    """Calls that must raise an error. `sent`: what arrived because of them; empty if nothing did."""
+    """Calls that must raise an error. `sent`: a value that arrived because of them; empty if none did."""
 
     def __init__(self, use: Use, calls: tuple[str, ...], topic: str = BATTERY.name) -> None:
         self.use, self.calls, self.topic, self.sent = use, calls, topic, ""
         returned = [call for call in calls if use.ends.get(call, "returned") == "returned"]
         self.accepted = [*returned, ""][0]  # empty if each raised an error
         self.returned = {call for call in returned if call in use.ends}
-        # the first that raised an error once, and none another time
+        # the first call that raised an error only one of the times
         ends = {(call, end == "returned") for call, end in use.made}
         differing = [call for call in calls if {(call, True), (call, False)} <= ends]
         self.now_and_then = [*differing, ""][0]
@@ -304,7 +307,10 @@ class Refusals:
 
 
 def wrong_numbers(use: Use) -> Refusals:
-    """The calls with what is no number. An int that became 0.0 is the business of numbers_arrive."""
+    """Return the calls whose argument isn't a number.
+
+    An int that arrived as 0.0 doesn't count here, because `numbers_arrive` judges it.
+    """
     calls = Refusals(use, WRONG_NUMBERS)
     whole = next(filter(is_whole, use.numbers), "")
     whole_lost = use.ends.get(whole) == "returned" and use.numbers[whole] not in use.levels
@@ -315,7 +321,10 @@ def wrong_numbers(use: Use) -> Refusals:
 
 
 def wrong_words(use: Use) -> Refusals:
-    """The calls with another word. "error" may also be sent for one, more often than it was asked for."""
+    """Return the calls whose word isn't a status.
+
+    An answer may publish "error" in place of such a word. Then "error" arrives more often than requested.
+    """
     calls = Refusals(use, WRONG_WORDS, STATUS.name)
     wrong = [word for word in use.words if word in NEVER_SENT]
     of_accepted = [word for word in wrong if repr(word) in calls.accepted]
@@ -477,7 +486,10 @@ def refuses_wrong_words(recording: Recording) -> Verdict:
 
 
 def refused(calls: Refusals, accepted: see.Rules[Refusals]) -> Verdict:
-    """Each of these calls raised an error, and nothing was sent."""
+    """Check that each of these calls raised an error and published nothing.
+
+    `accepted`: the rules if one didn't raise.
+    """
     if calls.accepted:
         return accepted.verdict(calls)
     first = calls.calls[0]

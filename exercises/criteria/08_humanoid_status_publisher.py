@@ -1,4 +1,4 @@
-"""How exercise 08 is judged: status and battery as they arrive, and how the program ends on Ctrl-C."""
+"""Judge exercise 08 by the status and battery messages, and by how the program ends on Ctrl-C."""
 
 from itertools import pairwise
 

@@ -1,4 +1,4 @@
-"""How exercise 09 is judged: what is on the wire, not how the program is written or how it ends."""
+"""Judge exercise 09 by its messages alone, not by how the program is written or how it ends."""
 
 import math
 

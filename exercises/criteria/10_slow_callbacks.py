@@ -1,4 +1,4 @@
-"""How exercise 10 is judged: the heartbeat while plans are asked for, and whether each plan is the planner's own."""
+"""Judge exercise 10 by the heartbeat while plans are requested, and by whether each plan is the planner's result."""
 
 import math
 import random
@@ -41,17 +41,18 @@ WATCH_S = 9.0
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Draw seven requests: three, and four more when the planner is idle again. Until the first, the heart beats alone.
+    """Draw the script: three requests, and four more once the planner is idle again. First, the heart beats alone.
 
-    Of those that wait, the farther one is first here and last there, two are the same, and one cannot be reached. A
-    very near one comes twice in a row, for the second time to an idle planner.
+    Some requests have to wait for the planner. Of the first three, those come from far to near. Of the last four, they
+    come from near to out of reach and back to the same near distance. A very near request comes twice in a row, the
+    second time to an idle planner.
     """
     out_of_reach = rng.randint(85, 92) / 100
     very_near = drawn_distance(rng, 0.04, 0.09)
     while True:
         once, again = drawn_distance(rng, 0.2, 0.62), drawn_distance(rng, 0.2, 0.62)
         bends = [planned(distance) for distance in (very_near, once, again, FROM_THE_NOTEBOOK_M)]
-        # no plan, nor half of it, looks like the plan for another distance
+        # no plan, and no half plan, may look like the plan for another distance
         if all(
             (one is other or abs(one - other) > 2.5 * ALIKE_RAD) and abs(one / 2.0 - other) > 1.5 * ALIKE_RAD
             for one, other in product(bends, bends)
@@ -66,7 +67,10 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_distance(rng: random.Random, least: float, most: float) -> float:
-    """Draw a distance (m), the same as a 32-bit float, whose plan is not the formula's nor that for whole mm."""
+    """Draw a distance (m) whose plan differs from the exact bend, and from the plan for whole millimeters.
+
+    As a 32-bit float, the distance has the same plan.
+    """
     while True:
         distance = round(rng.uniform(least, most), 4)
         [sent] = struct.unpack("f", struct.pack("f", distance))
@@ -79,13 +83,16 @@ WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 
 
 def bend_for(distance: float) -> float:
-    """The bend of the elbow (rad) that brings the hand to `distance` (m) from the shoulder, by the formula."""
+    """Return the exact bend of the elbow (rad) that brings the hand to `distance` (m) from the shoulder."""
     return 2.0 * math.acos(min(1.0, distance / (2.0 * LINK_M)))
 
 
 @lru_cache
 def planned(distance: float) -> float:
-    """The bend (rad) that ElbowPlanner finds for `distance` (m): after its twenty steps, no nearer."""
+    """Return the bend (rad) that ElbowPlanner finds for `distance` (m).
+
+    Its twenty steps only approximate the exact bend.
+    """
     low, high = 0.0, math.pi
     for _ in range(20):
         middle = (low + high) / 2.0
@@ -101,33 +108,33 @@ MEASURES: dict[str, tuple[Callable[[float], float], float, float]] = {
     "whole cm": (lambda distance: planned(round(distance, 2)), 0.0, TOLERANCE_RAD),
     "whole mm": (lambda distance: planned(round(distance, 3)), 0.0, TOLERANCE_RAD),
 }
-"""What may be published for a distance (m) by mistake, and how near (relative, absolute) such values must be."""
+"""By name, the wrong value that a program may publish for a distance (m), and its relative and absolute tolerance."""
 ROUNDED = ("whole cm", "whole mm")
 
 
 class Heart:
-    """How the heart beats, in all of the time and while plans are made. Times in s."""
+    """The heartbeat, over the whole watch and while plans are being made. Times in s."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.beats = recording, see.beats(recording, HEARTBEAT)
         self.has_too_few_beats = self.beats.share < LEAST_SHARE
         self.times = self.beats.times
-        # the spans in which plans were being made, if each took the planner's time
+        # the spans in which plans were being made, assuming that each took as long as the planner needs
         self.plans = sorted((one.t - PLANNING_S, one.t) for one in recording.topic(PLAN.name).arrivals)
 
-        # where the longest silence is, if it is too long, and whether a plan was being made for most of it
+        # the position of the longest silence, if it's too long, and whether a plan was being made for most of it
         silence = self.beats.silence
         self.long_silence = silence.kind if silence.seconds > LONGEST_SILENCE_S else ""
         shared = [min(silence.end, end) - max(silence.start, begin) for begin, end in self.plans]
         self.silence_is_planning = sum(max(0.0, one) for one in shared) >= 0.7 * silence.seconds
 
-        # the mean intervals, each over some beats in a row; steady: the same with and without a plan being made
+        # the mean intervals, each over several beats in a row; steady if they're the same while plans are being made
         self.means = [(b - a) / AVERAGED for a, b in zip(self.times, self.times[AVERAGED:], strict=False)]
         self.typical_s = statistics.median(self.means or [0.0])
         near = [abs(mean - self.typical_s) < STEADY * self.typical_s for mean in self.means]
         self.is_steady = bool(near) and sum(near) >= 0.9 * len(near)
 
-        # the typical intervals while plans are made, and in the rest of the time
+        # the typical intervals while plans are being made, and in the rest of the time
         intervals = [(b - a, self.is_planning((a + b) / 2)) for a, b in pairwise(self.times)]
         busy, idle = ([s for s, planning in intervals if planning is which] for which in (True, False))
         self.busy_s, self.idle_s = (statistics.median(some or [math.nan]) for some in (busy, idle))
@@ -150,7 +157,7 @@ class Heart:
 
 
 class Plan(NamedTuple):
-    """A plan as it was published, and the request that it fits. Bends are in rad."""
+    """A published plan, and the request that it fits. Bends are in rad."""
 
     bend: float
     found: float  # the bend that the planner finds for the request
@@ -162,11 +169,11 @@ class Plan(NamedTuple):
 
 
 class Planning:
-    """The plans, in the order in which they were published, and the requests that they answer."""
+    """The plans in the order of publication, and the requests that they answer."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording = recording
-        # also what was still to be requested when the program ended
+        # this includes requests that were still due when the program ended
         self.asked = [round(one.value["data"], 4) for one in see.script(recording, REQUESTS)]
         self.made = list[Plan]()
         requests = see.published(recording, REQUESTS)
@@ -183,14 +190,14 @@ class Planning:
             self.made.append(Plan(bend, planned(of), off_by, of, turns[of], after, at - last))
             last = at
 
-        # distances (m): of the plans, and those planned more often or less often than requested
+        # the distances (m) of the plans, and the distances planned more often or less often than requested
         self.order = [plan.of for plan in self.made]
         relay = see.Relay(self.asked, self.order)
         self.missing, often = relay.missing, dict(relay.repeated)
         self.twice = [distance for distance in dict.fromkeys(self.asked) if distance in often]
-        # those that are requested twice, first the one that comes twice in a row
+        # the distances that are requested twice, beginning with the one that comes twice in a row
         self.repeated = [d for d, times in Counter(self.asked).items() if times > 1]
-        # only the first requests are answered, in order; all but the last one
+        # whether only the first requests are answered, in order, and whether only the last one is not
         count = len(self.made)
         self.stops = relay.stops and count > 1
         self.lacks_the_last = self.stops and count == len(self.asked) - 1
@@ -199,17 +206,18 @@ class Planning:
         self.guesses = [plan for plan in self.soon if plan.off_by > SEARCHING_RAD]
         self.off = [plan for plan in self.made if TOLERANCE_RAD < plan.off_by < math.inf]  # not quite right
         self.exact = [one for one in self.off if abs(one.bend - bend_for(one.of)) < TOLERANCE_RAD / 2.0]
-        # how far apart plans typically come (s); 0 if there are too few to tell
+        # the typical time (s) between plans; 0 if there are too few to tell
         self.apart_s = statistics.median([plan.apart for plan in self.made[1:]] if count > 2 else [0.0])
-        # in order and far apart, until the watch ends
+        # whether plans come in order but far apart, until the watch ends
         rest_s = WATCH_S + sum(one.wall - one.t for one in requests[:1]) - last
         self.is_too_slow = self.stops and self.apart_s > 1.25 * PLANNING_S and rest_s <= 2.0 * self.apart_s
-        # the first plan that came closer to the one before than one search takes, if each took its time
+        # the first plan that came sooner after the previous one than a search takes, if none came too soon after its
+        # request
         self.close = next((one for one in self.made[1:] if one.apart < SOONEST_S and not self.soon), None)
 
     @cached_property
     def measure(self) -> str:
-        """The measure in which each plan is right for some request; "" if there is none."""
+        """The name of the wrong value in `MEASURES` that each plan has for some request; empty if there is none."""
         for name, (measure, rel_tol, abs_tol) in MEASURES.items():
             near = partial(math.isclose, rel_tol=rel_tol, abs_tol=abs_tol)
             right = [measure(distance) for distance in self.asked]
@@ -219,7 +227,7 @@ class Planning:
 
     @property
     def rises_and_falls(self) -> bool:
-        """Whether the plans are greater and smaller than each other as the requests are, or the other way round."""
+        """Whether the plans, compared with each other, rise and fall like the requests, or exactly the opposite way."""
         values = (self.asked, [plan.bend for plan in self.made])
         asked, bends = ([(a > b + 1e-5) - (a < b - 1e-5) for a, b in product(v, v)] for v in values)
         return asked in (bends, [-one for one in bends])

@@ -1,4 +1,4 @@
-"""How exercise 11 is judged: sixty numbered touches, and when each of them is reported."""
+"""Judge exercise 11 by sixty numbered touches, and by when the program reports each of them."""
 
 import math
 import random
@@ -18,14 +18,14 @@ WORDS = see.Words(__file__)
 
 IN_A_RUN, IN_A_BUNCH = 8, 11  # touches that come one by one, and in one moment
 PAUSE_S = 2.0  # no touch for longer than that is the pause, of three seconds
-REPORTED_BY_S = 0.25  # so long after the last touch, a program is at rest
+REPORTED_BY_S = 0.25  # this long after the last touch, a program is idle
 
-# A callback needs 1 ms, on a busy machine 2 ms; a program that polls every 20 ms is late by up to 20.
+# A callback needs 1 ms, or 2 ms on a busy machine. A program that polls every 20 ms is up to 20 ms late.
 ALONE_MS, ALONE_SHARE = 10.0, 0.75
 TOGETHER_MS = 200.0  # half of a bunch: far more than eleven callbacks need, less than eleven sleeps of 0.05 s
 MOSTLY = 0.7
 AT_ONCE_S = 0.02
-TOO_LATE_MS = 300.0  # later than anybody who looks every 0.2 s: these have waited in a queue
+TOO_LATE_MS = 300.0  # later than polling every 0.2 s can explain: these have waited in a queue
 EARLY_S = 0.001
 PROCESSOR_SHARE = 0.05
 NEVER_WAITS_SHARE = 0.4
@@ -33,9 +33,10 @@ WAITED_S = 0.1  # in the run queue: on a machine with little else to do it is a 
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Draw sixty touches: eight one by one, two bunches, eight one by one, a bunch, and one more after a pause of 3 s.
+    """Draw the script of sixty touches: eight single ones, two bunches, eight single ones, and two more bunches.
 
-    One by one they come at intervals (s) longer than the sleep of the starter, and out of step with it.
+    The last bunch follows after a pause of 3 s. The intervals (s) between single touches are longer than the starter's
+    sleep, and out of step with it.
     """
     spacing = rng.uniform(0.223, 0.233)
     run, bunch = [spacing * n for n in range(IN_A_RUN)], [0.0] * IN_A_BUNCH
@@ -54,11 +55,11 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_numbers(rng: random.Random) -> list[int]:
-    """Draw the numbers of the touches: above 1000, with one left out and then many, or the other way round.
+    """Draw the touches' numbers. They begin above 1000, and skip one number and then many, or many and then one.
 
-    They begin again at 1 three times: twice in a row, where touches come one by one, and in the middle of the last
-    bunch. So 1 comes twice in a row, and the first numbers come again. Those before the last restart are greater than
-    those after it. The size of a bunch is among them, but later than the first two bunches.
+    They restart at 1 three times: twice in a row among the single touches, and in the middle of the last bunch. So 1
+    occurs twice in a row, and the first numbers occur again. The numbers before the last restart are greater than those
+    after it. The size of a bunch is one of the numbers, but only after the first two bunches.
     """
     great, last = rng.randint(34, 36), rng.randint(6, 9)
     small = 2 * IN_A_RUN + 4 * IN_A_BUNCH - great - 1 - last
@@ -74,7 +75,7 @@ WATCH = watching(wall_seconds=9.0, script=drawn)
 
 
 class Touches:
-    """The touches, each known by its place in the script, from 0 on, and their reports."""
+    """The touches, each identified by its place in the script (from 0), and their reports."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.in_line_s = recording, recording.in_line_s
@@ -86,14 +87,14 @@ class Touches:
         self.numbers = [number for number, _ in self.reports]
         self.places = self.found_places()
 
-        # how long (s) no touch had come before each but the first, and those in whose moment no other one came
+        # the pause (s) before each touch except the first, and the touches that came alone
         pauses = {n: after.t - before.t for n, (before, after) in enumerate(pairwise(script), start=1)}
         around = enumerate(pairwise([1.0, *pauses.values(), 1.0]))
         self.alone = {place for place, both in around if min(both) > AT_ONCE_S}
         singly = [pause for place, pause in pauses.items() if {place, place - 1} <= self.alone]
         self.apart_ms = 1000.0 * statistics.median(singly or [0.0])
         self.after_the_pause = next((place for place, pause in pauses.items() if pause > PAUSE_S), None)
-        # how much greater each number is than the one before, and the first one that isn't
+        # how much greater each number is than the previous one, and the first number that isn't greater
         steps = [1, *(number - before for before, number in pairwise(self.sent))]
         self.restart = next((place for place, step in enumerate(steps) if step <= 0), 0)
         self.greatest = max(self.sent, default=0)
@@ -109,7 +110,7 @@ class Touches:
         most = "all of them" if self.together == missed_count else "most of them"
         self.which_together = "it" if missed_count == 1 else most
 
-        # numbers that no touch has, that were reported before they came, and more often than they came
+        # reported numbers that no touch has, that were reported too early, and that were reported too often
         self.strange = [number for number in self.numbers if number not in self.sent]
         self.has_all = {*self.sent} <= {*self.numbers}
         self.is_cut_off = self.numbers == [number % 256 for number in self.sent]
@@ -118,13 +119,13 @@ class Touches:
         unmatched = {n for n, place in zip(self.numbers, self.places, strict=True) if place is None}
         self.twice = sorted(unmatched - {*self.early})
         self.twice_numbers = some(self.twice)
-        # numbers of two reports in a row, of which the second belongs to the touch that came first
+        # the numbers of two reports in a row that are in the wrong order
         pairs = pairwise([place for place in self.places if place is not None])
         sent = [(self.sent[a], self.sent[b]) for a, b in pairs if b < a]
         self.back = [(one, other) for one, other in sent if one != other]
 
-        # when (s) each touch was reported. Where other numbers are reported, and as many as there were touches, the
-        # first belongs to the first, and so on
+        # when (s) each touch was reported; if wrong numbers are reported, but as many as there were touches, the first
+        # report belongs to the first touch, and so on
         others = self.strange and len(self.numbers) == count
         places = range(count) if others else self.places
         moments = {n: at for n, (_, at) in zip(places, self.reports, strict=True) if n is not None}
@@ -137,13 +138,13 @@ class Touches:
         self.typical_ms = statistics.median(self.alone_ms or [self.half_ms])
         self.soon = sum(late <= ALONE_MS for late in self.alone_ms)
         self.is_late = self.soon < ALONE_SHARE * len(self.alone_ms)
-        # those that came alone were mostly reported in the same moment as others, or all equally late
+        # whether single touches were mostly reported at the same moment as others, or all equally late
         at_s = sorted(moment for place, moment in moments.items() if place in self.alone)
         self.are_collected = sum(b - a < AT_ONCE_S for a, b in pairwise(at_s)) >= MOSTLY * len(at_s)
         near = sum(abs(late - self.typical_ms) < 0.1 * self.typical_ms for late in self.alone_ms)
         self.are_evenly_late = near >= ALONE_SHARE * len(self.alone_ms)
 
-        # the share of a processor that is used in the pause, or in all of the time if it didn't come to that
+        # the used share of a processor in the pause, or in the whole watch if there was no pause
         walls = [wall for _, wall in self.came]
         place = self.after_the_pause or len(walls)
         span = (walls[place - 1] + REPORTED_BY_S, walls[place]) if place < len(walls) else ()
@@ -151,10 +152,11 @@ class Touches:
         self.processor = math.nan if share is None else share
 
     def found_places(self) -> list[int | None]:
-        """Find for each report the place of its touch; None if there is none.
+        """Return the place of each report's touch; None if no touch fits.
 
-        Of the touches that came before it and have no report yet, it is the first after the touch that was reported
-        last (of two in a row with one number the second), otherwise the latest.
+        A touch fits if it has this number, came before the report, and has no report yet. If several touches fit,
+        choose the first one after the touch that was reported last; if two in a row have the same number, choose the
+        second. Without such a touch, choose the latest.
         """
         found: list[int | None] = []
         free, last = dict(enumerate(self.came)), -1
@@ -169,7 +171,7 @@ class Touches:
 
 
 def some(numbers: Sequence[int]) -> str:
-    """A few of these numbers, as one says them."""
+    """Return the first four of these numbers as text, with "…" if there are more."""
     return ", ".join([*map(str, numbers[:4]), *(["…"] if len(numbers) > 4 else [])])
 
 

@@ -1,4 +1,4 @@
-"""How exercise 12 is judged: its calls, its reports on their responses, and its heartbeat meanwhile."""
+"""Judge exercise 12 by its calls, its reports on the responses, and the heartbeat in the meantime."""
 
 import math
 import random
@@ -29,12 +29,13 @@ WATCH_S = 12.5
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Draw twelve replies, for one call after another. The last one is for all calls after it, too.
+    """Draw the replies to twelve calls, in order. The last reply also applies to all later calls.
 
-    First three responses: "ok", one of the two results, and "faulty", late. So a result comes twice in a row. No
-    response comes at once after a late one, nor late after a late "faulty". Then four calls get no response, two of
-    them in a row. After each of the other two comes a response at once: a report that waits for the earlier call is
-    late twice. After the two in a row comes a late one: nothing comes between the moments when they are given up.
+    The first three replies are "ok", either of the two results, and a slow "faulty", so that a result comes twice in a
+    row. None of these three is immediate after a slow one, or slow after a slow "faulty". Then four calls get no
+    response, two of them in a row. After each of the other two, a response comes immediately, so that a report that
+    waits for the earlier call is late twice. After the two in a row, a slow response comes, so that nothing comes
+    between the moments when the program gives up on the two.
     """
     after_three = [[NEVER, AT_ONCE], [NEVER, AT_ONCE, SLOW], [NEVER, NEVER, SLOW]]
     rng.shuffle(after_three)
@@ -44,7 +45,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
     at_once = [place for place, one in enumerate(delays[:-1]) if one == AT_ONCE and place > 2]
     successes[rng.choice(at_once)] = False
     plain = [False, True, False, *(rng.random() < 0.5 for _ in delays[3:])]
-    # A text is for people. It shows the result only where it is plain.
+    # A text is for people. Only a plain text shows the result.
     texts = [
         ALL_WELL if success is is_plain else f"the {rng.choice(JOINTS)} is {FELT[success]}"
         for success, is_plain in zip(successes, plain, strict=True)
@@ -82,26 +83,26 @@ FIRST_SECONDS_S = 2.5  # a call from before the watch may be given up until then
 
 
 class Report(NamedTuple):
-    """A word on /robot/health, and when it came (s)."""
+    """A word on /robot/health, and when it arrived (s)."""
 
     t: float
     word: str
 
 
 def within(reports: Sequence[Report], low: float, high: float) -> Sequence[Report]:
-    """Take the reports from `low` to `high` (s) out of sorted ones."""
+    """Return the reports from `low` to `high` (s). The reports must be sorted."""
     first = bisect_left(reports, low, key=lambda report: report.t)
     return reports[first : bisect_right(reports, high, key=lambda report: report.t)]
 
 
 def grouped(times: Sequence[float]) -> list[tuple[int, float]]:
-    """Count the moments (s) that follow each other at once. With each count comes the first of them."""
+    """Group sorted moments (s) that follow each other immediately. Return each group's size and first moment."""
     starts = [n for n, t in enumerate(times) if n == 0 or t - times[n - 1] >= AT_ONCE_S]
     return [(end - start, times[start]) for start, end in pairwise([*starts, len(times)])]
 
 
 class Call:
-    """A call of the program. Times in s; `at`: when it was answered, infinite if it never was."""
+    """One call of the program. Times in s; `at`: when it was answered, infinity if it never was."""
 
     def __init__(self, seen: see.CallSeen, next_t: float, end: float) -> None:
         self.t, self.next_t, self.pause_s = seen.t, next_t, next_t - seen.t
@@ -122,12 +123,12 @@ class Call:
         return [report for report in self.near if report.word == self.word]
 
     def about_it(self, reports: Sequence[Report]) -> Sequence[Report]:
-        """Take the reports that may be about this call, if it got no response."""
+        """Return the reports that may be about this call if it got no response."""
         return within(reports, self.t + SOONEST_S, self.t + LATEST_S)
 
 
 class Run:
-    """The calls and the reports of the program. Its attributes are the facts that words may name."""
+    """The program's calls and reports. The attributes are the facts that the feedback texts can mention."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.end = recording, recording.watched_s
@@ -161,12 +162,18 @@ class Run:
             call.gave_up = within(self.stray, call.t, call.t + LATEST_S)
 
     def is_excused(self, call: Call) -> bool:
-        """Whether a slow response was given up when it could hardly come any more: the machine may be very busy."""
+        """Return whether the program gave up on a slow response when that was almost allowed.
+
+        On a very busy machine, even a correct program may do that.
+        """
         given_up = within(self.stray, call.t + SOONEST_S, call.t + GIVEN_UP_AT_ONCE_S)
         return call.was_slow and bool(given_up) and not call.own
 
     def paired(self, edge_s: float = 0.0) -> list[tuple[Call, Report]] | None:
-        """Pair responses and reports; None if they don't fit. Those of the last `edge_s` may be without a report."""
+        """Pair responses and reports.
+
+        Return None if they don't fit. Responses in the last `edge_s` s may lack a report.
+        """
         last = self.end - TOLD_WITHIN_S - LONG_SLACK_S
         return see.pair_in_order(
             self.responses,
@@ -179,7 +186,7 @@ class Run:
 
 
 class Ending(Run):
-    """The last call, and what happened from then to the end."""
+    """The last call, and everything from then to the end of the watch."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -192,7 +199,7 @@ class Ending(Run):
 
 
 class Pauses(Run):
-    """The pauses between the calls of the watch. Each is represented by the call before it."""
+    """The pauses between the calls. Each pause is represented by the call before it."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -222,7 +229,7 @@ class Pauses(Run):
 
 
 class Heart(Run):
-    """The heartbeat, also while calls are open."""
+    """The heartbeat, over the whole watch and while calls wait for a response."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -244,7 +251,7 @@ class Heart(Run):
 
 
 class Results(Run):
-    """The responses, and how they are reported. Of very many, only the first ones are compared one by one."""
+    """The responses and the reports on them. If there are very many, only the first ones are compared one by one."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -273,7 +280,7 @@ class Results(Run):
             if not any(other.about_it([one]) for other in untold if other is not call)
         ]
 
-        # the same result twice, one after the other
+        # the same result twice in a row
         same = [(last, call) for last, call in pairwise(responses) if last.word == call.word]
         self.repeated = [(last, call) for last, call in same if call in self.missing and not call.gave_up]
         in_a_row = [(a, b) for a, b in same if not any(a.t < call.t < b.t for call in self.unanswered)]
@@ -288,7 +295,7 @@ class Results(Run):
         gave_up = any(call.gave_up for call in skipped)
         self.skips_first = self.missing == skipped and len(self.missing) > 1 and not gave_up
 
-        # each response takes one report that tells it
+        # each response uses up one report that states its result
         self.belonging = {report for call in responses for report in call.own}
         left, all_told = list(results), True
         for call in responses:
@@ -304,31 +311,35 @@ class Results(Run):
         self.nearest = [call.near[0].word for call in self.expected if call.near]
         all_near = len(self.nearest) == len(self.expected)
         self.wrong = [call for call in self.expected if all_near and call.near[0].word != call.word]
-        # both words are wrong somewhere: one alone may fit the texts by chance
+        # both words must be wrong somewhere, because one alone may fit the texts by chance
         two_ways = len({call.near[0].word for call in self.wrong}) == 2
         self.follows_text = two_ways and all(c.near[0].word == c.word_of_text for c in self.expected)
         since_wrong = [self.nearest[self.nearest.index(call.near[0].word) :] for call in self.wrong[:1]]
         self.stays = any(len(set(words)) == 1 for words in since_wrong)
 
     def late_at(self, moments: Sequence[float], within_s: float) -> bool:
-        """Whether each late report came near one of these moments (s)."""
+        """Return whether each late report came within `within_s` s of one of these moments (s)."""
         return all(any(abs(call.at + delay - t) <= within_s for t in moments) for call, delay in self.late)
 
     @property
     def published(self) -> str:
-        """What was published for the first missing response, or not."""
+        """A clause that says whether "no answer" was published in place of the first missing response's word."""
         call = self.missing[0]
         return f'your node published "{NO_ANSWER}"' if call.gave_up else f'"{call.word}" was not published'
 
     @property
     def left_out(self) -> bool:
-        """Whether only one response is missing, of all if it was slow, otherwise of the fast ones."""
+        """Whether only the first missing response is missing.
+
+        If it was slow, no other one may be missing, and another slow one must be reported. Otherwise, no other fast one
+        may be missing.
+        """
         told = any(call.was_slow and call.own for call in self.expected)
         return told and len(self.missing) == 1 if self.are_slow[0] else all(self.are_slow[1:])
 
 
 class GivenUp(Run):
-    """The calls without a response, and when they are given up."""
+    """The calls without a response, and when the program gave up on each."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -353,7 +364,7 @@ class GivenUp(Run):
         self.alarm_s = [one.t - call.t for call in self.open_then[:1] for one in self.alarms[:1]]
 
     def answered_meanwhile(self, call: Call, within_s: float) -> list[float]:
-        """When other calls were answered (s), within a time after this one."""
+        """Return when (s) other calls were answered, within `within_s` s after this call."""
         return [one.at for one in self.responses if call.t < one.at < call.t + within_s]
 
 

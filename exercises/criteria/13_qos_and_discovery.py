@@ -1,4 +1,4 @@
-"""How exercise 13 is judged: a robot that has spoken before the dashboard starts, and whose heart is silent twice."""
+"""Judge exercise 13: a robot publishes its status before the dashboard starts, and its heart is silent twice."""
 
 import math
 import random
@@ -37,10 +37,10 @@ NEAR_S = 0.7  # from the last line to the True that a silence of the line goes w
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Draw a robot that has spoken before the start. Its heart is silent twice, and one beat is late: a hiccup.
+    """Draw the script of a robot that published before the start. Its heart is silent twice, and one beat is late.
 
-    A program that looks at the clock five times a second looks at different moments of the two silences. After the
-    second one, there is time to end an alarm.
+    A program that checks the time five times a second catches the two silences at different phases. After the second
+    one, there is time to end an alarm.
     """
     while True:
         moments = drawn_beats(rng)
@@ -51,7 +51,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
         changes = drawn_changes(rng, silences)
         moments_of_change = [*(at for at, _ in changes[1:]), WATCH_S]
         lasting = [at for at, end in pairwise(moments_of_change) if end - at > LASTS_S]
-        # a line that follows late misses one of them
+        # a program whose line follows late must miss one of these statuses
         if any(0.2 < (one - other) % LINE_S < 0.3 for one, other in product(lasting, lasting)):
             break
     beats = [(at, f"beat {n + 1}") for n, at in enumerate(moments) if at < WATCH_S - 0.1]
@@ -62,9 +62,10 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_beats(rng: random.Random) -> list[float]:
-    """Draw when the heart beats (s): in three groups with silences between them, and a hiccup in one of the first two.
+    """Draw the times (s) of the heartbeats: three groups with silences in between, and a late beat (a hiccup).
 
-    The first group lasts for more than a second, also until a hiccup.
+    The hiccup is in one of the first two groups. The first group, or its part before the hiccup, lasts longer than a
+    second.
     """
     counts = [rng.randint(6, 18), rng.randint(4, 8), 30]
     hiccup = rng.choice((rng.randint(5, counts[0] - 1), counts[0] + rng.randint(1, counts[1] - 1)))
@@ -74,12 +75,13 @@ def drawn_beats(rng: random.Random) -> list[float]:
 
 
 def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -> list[tuple[float, str]]:
-    """Draw the status from before the start, and its changes (s), more than a program that counts to five will follow.
+    """Draw the status from before the start, and the times (s) and words of its changes.
 
-    When an alarm is due, the status is "operational" in the first silence and "error" in the second one, and stays so
-    until the alarm is late. Then it changes before the silence ends. When the alarm has to end, it is "error" the first
-    time, and changes only when the end is late; the second time it is "operational". In the second silence it changes
-    so often that a watchdog that takes a status for a beat raises no alarm.
+    There are too many changes for a program that follows only five. When an alarm is due, the status is "operational"
+    in the first silence and "error" in the second. It stays so until the alarm would be late, and changes before the
+    silence ends. When the alarm has to end, the status is "error" after the first silence, and changes only when the
+    end would be late. After the second silence, it is "operational". In the second silence, it changes so often that a
+    watchdog that counts a status as a beat raises no alarm.
     """
     (began, ended), (again, at_last) = silences
     changes = [
@@ -100,7 +102,7 @@ def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -
 
 
 def silences_between(moments: Sequence[float]) -> list[tuple[float, float]]:
-    """Find from when to when (s) no beat comes for long."""
+    """Return the begin and end (s) of each long time without a beat."""
     return [(last, first) for last, first in pairwise(moments) if first - last > SILENCE_S]
 
 
@@ -108,7 +110,7 @@ WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 
 
 def named(text: str) -> list[str]:
-    """The words for a status that a line names."""
+    """Return the status words that a line contains."""
     return [word for word in STATUS_WORDS if word in text.lower()]
 
 
@@ -117,9 +119,10 @@ def between(begin: float, end: float, messages: Timed[Value]) -> Timed[Value]:
 
 
 class FalseAlarm(NamedTuple):
-    """An alarm that was raised at a moment (s), so soon (s) after a beat.
+    """An alarm that was raised `at` a moment (s), only `after` seconds after a beat.
 
-    `first`: how long (s) the heart had been silent at the first alarm of a silence before; 0 without one.
+    `first`: how long (s) the heart had been silent when the program raised its first alarm in an earlier silence; 0 if
+    there was none.
     """
 
     at: float
@@ -128,7 +131,7 @@ class FalseAlarm(NamedTuple):
 
 
 class Status:
-    """A status of the robot, from when to when (s) it held, and what the line showed. `number`: from 0."""
+    """A status of the robot, its begin and end (s), and the lines published for it. `number`: counts from 0."""
 
     def __init__(self, run: "Run", number: int, begin: float, end: float, word: str) -> None:
         self.run, self.number, self.begin, self.end, self.word = run, number, begin, end, word
@@ -136,7 +139,7 @@ class Status:
         self.lines = between(self.due, end, run.lines)
         before = between(self.due - LONGEST_S, self.due, run.lines)[-1:] if number else []
         judged = [*before, *self.lines] if end - begin > FOLLOWS_S else []
-        # the first line that must show it and doesn't, or not alone, and the words for a status in that line
+        # the first line that must show this status, but doesn't, or shows another one as well; and its status words
         self.wrong = next((line for line in judged if named(line[1]) != [word]), None)
         self.named = named(self.wrong[1]) if self.wrong else []
 
@@ -145,12 +148,15 @@ class Status:
 
     @property
     def followed(self) -> int:
-        """How many changes the line had followed until then."""
+        """How many earlier changes the line had followed."""
         return sum(bool(one.lines) for one in self.run.statuses[1 : self.number])
 
 
 class Silence:
-    """A long silence of the heart: the last beat before, and the first one after it (s). `number`: from 0."""
+    """A long silence of the heart, from the last beat before it to the first one after it (s).
+
+    `number`: counts from 0.
+    """
 
     def __init__(self, run: "Run", number: int, began: float, ended: float) -> None:
         self.run, self.number, self.began, self.ended = run, number, began, ended
@@ -160,10 +166,10 @@ class Silence:
         self.raised = next((t - began for t, on in alarms if on), math.inf)  # after the last beat
         self.is_due = run.end >= began + NOT_AFTER_S + SLACK_S
         self.is_in_time = self.raised <= NOT_AFTER_S + SLACK_S
-        # none is missed if the alarm of the silence before has never ended
+        # no alarm is missed if the previous silence's alarm has never ended
         was_on = number and [on for _, on in between(0.0, began, run.alarms)][-1:] == [True]
         self.is_missed = self.is_due and not self.is_in_time and not (was_on and self.raised == math.inf)
-        # when the alarm was taken back although the silence went on, and how long after the last beat it first was
+        # when the alarm was withdrawn during the silence (s), and how long after the last beat this first happened (s)
         self.falls = [t for t, on in alarms if t > began + self.raised and not on]
         self.fell = [t - began for t in self.falls[:1]]
         self.raised_after = any(on for _, on in between(ended, ended + FALLS_WITHIN_S, run.alarms))
@@ -174,7 +180,7 @@ class Silence:
 
 
 class Run:
-    """What the robot published, and what the dashboard published in turn. Times in s."""
+    """The robot's messages, and the dashboard's messages about them. Times in s."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.end = recording, recording.watched_s
@@ -202,7 +208,7 @@ class Run:
         begins = [one.began for one in self.silences]
         self.stops_with_the_heart = all(any(abs(last - t) <= BEAT_S for t in begins) for last in lasts)
         near = [(t, beat) for t, _ in self.lines for beat in self.beats if 0.0 <= t - beat <= 2 * EARLY_S]
-        # how many beats a line follows right away, and how many lines follow none
+        # the number of beats that a line follows right away, and the number of lines that follow no beat
         prompt, beats = {t for t, _ in near}, {beat for _, beat in near}
         self.with_beats = len(beats), sum(t not in prompt for t, _ in self.lines)
         most = self.with_beats[0] >= 0.8 * len(self.beats)
@@ -211,7 +217,7 @@ class Run:
         self.is_volatile = all(one.durability == "volatile" for one in asked)
         self.is_best_effort = all(one.reliability == "best_effort" for one in asked)
 
-        # the alarms: how many times they changed, if each time right after the status had changed likewise
+        # the number of changes of the alarm, if each came right after a matching change of the status
         heard = [(0.0, None), *between(AT_ONCE_S, self.end, self.alarms)]
         changes = [(t, on) for (_, before), (t, on) in pairwise(heard) if on != before]
         begun = [(on, self.just_begun(t, BEAT_S + 2 * EARLY_S)) for t, on in changes]
@@ -221,11 +227,11 @@ class Run:
         self.ended_by_status = [t for one in self.silences for t in one.falls if self.just_begun(t)]
 
     def just_begun(self, t: float, within_s: float = BEAT_S - EARLY_S) -> list[str]:
-        """The new statuses that the robot had published in the moment before."""
+        """Return the new statuses that began at most `within_s` s before `t`."""
         return [one.word for one in self.statuses[1:] if 0.0 <= t - one.begin <= within_s]
 
     def false_alarms(self) -> Iterator[FalseAlarm]:
-        """Find the alarms that are raised while the heart beats, or too early in a silence."""
+        """Yield the alarms that were raised while the heart was beating, or too early in a silence."""
         calm_from = AT_ONCE_S
         for silence in self.silences:
             for t, on in between(calm_from, silence.began + NOT_BEFORE_S - EARLY_S, self.alarms):
@@ -233,7 +239,7 @@ class Run:
                 if on and after < NOT_BEFORE_S - EARLY_S:  # on a busy machine, a hiccup may last too long
                     before = [one.raised for one in self.silences if one.ended <= t]
                     yield FalseAlarm(t, after, next(filter(math.isfinite, before), 0.0))
-            # The alarm of this silence may last until it is taken back: whether it is, `alarm_falls` judges.
+            # This silence's alarm may last until it's withdrawn. `alarm_falls` judges whether it is.
             calm_from = min(self.end, silence.ended + silence.taken_back)
 
 

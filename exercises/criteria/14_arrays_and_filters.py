@@ -1,4 +1,4 @@
-"""How exercise 14 is judged: twelve noisy joints whose true angles are known, and what the filter makes of them."""
+"""Judge exercise 14 by twelve noisy joints whose true angles are known, and by the filter's output for them."""
 
 import math
 import random
@@ -34,7 +34,7 @@ SHARE_AT_ONCE = 0.9  # of the messages: the others may have been kept waiting by
 TYPICALLY_S = 0.15
 LEAST_CHANGE_RAD = 0.005  # root mean square, between what comes in and what goes out: less is no filter
 SAME_RAD = 0.001  # root mean square: the same angle, but for rounding
-NEARLY_ALL = 0.95  # of the noise: who leaves more takes nothing away
+NEARLY_ALL = 0.95  # of the noise: a filter that leaves more removes nothing
 WIDE_GAP = 1.4  # from the noise left at one joint to that at the next: they are not filtered alike
 RARELY = 0.6  # share of answers that are those before: a filter changes each of them
 MORE_THAN_ALL = 1.2  # of the noise: no weak filter leaves so much, something else is added
@@ -43,9 +43,10 @@ FAR_BEHIND_S = 0.4  # a filter so late would be farther away than that by itself
 STARTING = 8  # messages after a start that must be near
 SETTLED = 20  # messages after a start or a movement until noise and delay are measured
 
-# Where the joints stand first, how fast they move then (rad/s), and how far they are turned while the board is off,
-# twice. The first time one joint is turned only a little, the second time all are: a restart is told by the stamp, not
-# by a jump. Most joints stand between two multiples of 0.1 rad: on one of them, rounding would take out all the noise.
+# The joints' first angles (rad), their speeds (rad/s), and their turns (rad) during the two times when the board is
+# off. The first time, one joint turns only a little, and the second time, all of them do, because the stamp shows a
+# restart, not a jump. Most joints stand between two multiples of 0.1 rad: at a multiple, rounding would remove all the
+# noise.
 FIRST_POSE = (0.54, -0.65, 1.23, 0.94, -1.15, 0.86, -0.73, 1.05, -0.46, 0.64, -0.95, 0.77)
 SPEEDS = (0.5, -0.4, 0.5, 0.4, -0.5, 0.5, -0.4, 0.4, -0.5, 0.5, -0.4, 0.5)
 TURNED = (
@@ -56,13 +57,13 @@ STANDS, MOVES, STANDS_AGAIN, MOVES_BACK, AFTER_RESTART, AFTER_SECOND = 46, 34, 4
 STILL_UNTIL = STANDS + MOVES + STANDS_AGAIN
 RESTART = STILL_UNTIL + MOVES_BACK
 RESTART_AGAIN = RESTART + AFTER_RESTART
-MESSAGES = RESTART_AGAIN + AFTER_SECOND  # a prime number: who answers in groups leaves a rest
+MESSAGES = RESTART_AGAIN + AFTER_SECOND  # a prime number, so answers in groups leave a remainder
 STARTS = (range(RESTART), range(RESTART, RESTART_AGAIN), range(RESTART_AGAIN, MESSAGES))
-# The fraction of each stamp after a restart is above that of the last one before (47.65 s and 2.50 s).
+# After a restart, each stamp's fraction is above that of the last stamp before it (47.65 s and 2.50 s).
 START_STAMPS_MS = (40_000, 750, 560)
 SECOND_IN_A_ROW = STANDS + MOVES + 31
 NAN_AT: Mapping[int, tuple[int, ...]] = {
-    # message: joints whose encoder gives NaN
+    # a message's place: the joints whose encoder returns NaN in it
     STANDS + MOVES + 24: (3,),
     STANDS + MOVES + 30: (0, 7),
     SECOND_IN_A_ROW: (0, 7),
@@ -73,7 +74,7 @@ NAN_AT: Mapping[int, tuple[int, ...]] = {
 
 @dataclass(frozen=True)
 class Sample:
-    """One message of the encoders: its place in the script, true and measured angles (rad)."""
+    """One message of the encoders: its place in the script, and the true and the measured angles (rad)."""
 
     place: int
     stamp: see.Stamp
@@ -82,12 +83,12 @@ class Sample:
 
     @property
     def number(self) -> int:
-        """Its place, counted from 1."""
+        """The message's place, counted from 1."""
         return self.place + 1
 
 
 def samples() -> tuple[Sample, ...]:
-    """All messages, in order: the board is switched on, works, and is switched off and on again twice."""
+    """Return all messages, in order. The board is switched on, works, and is switched off and on again twice."""
     dice = random.Random(14)
     made = []
     for place in range(MESSAGES):
@@ -128,7 +129,10 @@ WATCH = watching(
 
 
 class Answer:
-    """One answer, its angles in rad. `place`: of the message that it's for; if not given, its stamp tells, or None."""
+    """One answer, with angles in rad. `place`: the place of its message; by default, we look up its stamp.
+
+    The attribute `place` is None if no message has that stamp.
+    """
 
     def __init__(self, arrival: Arrival, place: int | None = None) -> None:
         self.t, self.stamp_s = arrival.t, see.Stamp.of(arrival.value).seconds
@@ -138,7 +142,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Far:
-    """An angle that is far from its joint (rad), with its message and all angles of its answer."""
+    """An angle that is far from the true one (rad), with its message and all angles in its answer."""
 
     sample: Sample
     angles: tuple[float, ...]
@@ -148,7 +152,7 @@ class Far:
 
 
 class Answers:
-    """All answers. What they say of a part of the messages, or under one aspect, is computed on demand."""
+    """All answers. Statistics on a section of the messages, or on one aspect, are computed on demand."""
 
     steady = cached_property(lambda answers: Section(answers, STEADY))
     first = cached_property(lambda answers: Section(answers, STEADY_FIRST))
@@ -163,31 +167,31 @@ class Answers:
         arrivals = [one for one in recording.topic(FILTERED.name).arrivals if isinstance(one.value, dict)]
         self.has_ended = recording.process.ended_by == "itself"
         self.recording, self.came = recording, [Answer(arrival) for arrival in arrivals]
-        # Where stamps don't tell which message an answer is for, its order does. That takes one answer for each
-        # message. Until a program ends, there is one for each message as well.
+        # If the stamps don't show which message an answer is for, its order does. This requires one answer per message,
+        # at least until the program ended.
         places, sent = {answer.place for answer in self.came}, len(see.published(recording, RAW.name))
         ended_early = self.has_ended and len(self.came) < sent
         stamps_tell = None not in places and len(places) > 1
         by_order = not stamps_tell and (len(self.came) == sent or ended_early)
         in_order = [Answer(arrival, place) for place, arrival in enumerate(arrivals)]
         self.placed = in_order if by_order else self.came
-        # for each message that was answered, by its place: its first answer
+        # the first answer to each message that was answered, by the message's place
         self.by_place = {one.place: one for one in reversed(self.placed) if one.place is not None}
 
     def changed_at(self, place: int) -> list[str]:
-        """The joints whose angle in the answer to this message isn't the measured one."""
+        """Return the joints whose angle in the answer to this message isn't the measured one."""
         found = zip(JOINTS, self.by_place[place].angles, SAMPLES[place].measured, strict=True)
         return [name for name, angle, measured in found if not abs(angle - measured) <= SAME_RAD]
 
     def far_at(self, place: int, limit_rad: float) -> list[Far]:
-        """The angles in the answer to this message that are farther from their joints than the limit."""
+        """Return the angles in the answer to this message that are more than `limit_rad` from the true ones."""
         sample, angles = SAMPLES[place], self.by_place[place].angles
         found = [Far(sample, angles, *one) for one in zip(JOINTS, sample.truth, angles, strict=True)]
         return [far for far in found if not abs(far.angle - far.truth) <= limit_rad]
 
     @cached_property
     def begins_again_each_second(self) -> bool:
-        """Whether the filter begins again whenever nanosec does, and at no other message that is judged."""
+        """Whether the filter is reset whenever nanosec restarts at 0, and at no other judged message."""
         known = [place for place in range(1, STILL_UNTIL) if place in self.by_place and place not in NAN_AT]
         unfiltered = [place for place in known if not self.changed_at(place)]
         return bool(unfiltered) and unfiltered == [place for place in known if SAMPLES[place].stamp[1] == 0]
@@ -202,7 +206,7 @@ ANSWERS = see.once(Answers)
 
 
 class Labels:
-    """The stamps, names, and lengths of the answers."""
+    """The answers' stamps, joint names, and numbers of angles."""
 
     def __init__(self, came: list[Answer]) -> None:
         self.strange = [answer for answer in came if answer.place is None]
@@ -215,7 +219,7 @@ class Labels:
 
 
 class Order:
-    """Which messages were answered, in which order, and when (s)."""
+    """Which messages were answered, in which order, and how soon (s)."""
 
     def __init__(self, answers: Answers) -> None:
         by_place, sent = answers.by_place, see.published(answers.recording, RAW.name)
@@ -238,7 +242,7 @@ class Order:
 
 
 def mean(numbers: Sequence[float]) -> float:
-    """The mean; NaN of no numbers."""
+    """Return the mean; NaN if there are no numbers."""
     return sum(numbers) / len(numbers) if numbers else math.nan
 
 
@@ -247,7 +251,7 @@ def root_mean_square(numbers: Sequence[float]) -> float:
 
 
 class Joint:
-    """What the answers in a section say of one joint (rad). `sent`: all of the section's messages."""
+    """Statistics on one joint's answers in a section (rad). `sent`: all of the section's messages."""
 
     def __init__(self, at: int, sent: list[Sample], answered: list[Sample], angles: list[float]) -> None:
         errors = [angle - sample.truth[at] for sample, angle in zip(answered, angles, strict=True)]
@@ -264,7 +268,7 @@ class Joint:
 
 
 class Section:
-    """The answers to some of the messages, next to the true angles (rad)."""
+    """The answers to some of the messages, compared with the true angles (rad)."""
 
     def __init__(self, answers: Answers, places: Sequence[int]) -> None:
         self.known = [place for place in places if place in answers.by_place]
@@ -289,20 +293,21 @@ class Section:
         self.gain = sum(one.angle * one.truth for one in joints) / sum(one.truth**2 for one in joints)
         allowed = LARGEST_NOISE_RAD * max(1.0, abs(self.gain))
         self.is_scaled = max(abs(one.angle - self.gain * one.truth) for one in joints) <= allowed
-        # How late they are (s), all joints together. A quick joint tells it better than a slow one, so it counts more.
+        # The answers' delay (s), over all joints. A fast joint shows the delay better than a slow one, so it counts
+        # more.
         weight = sum(one.speed**2 for one in joints)
         self.delay = sum(-one.error * one.speed for one in joints) / (weight or math.inf)
         is_late = self.delay > LONGEST_DELAY_S or self.latest.delay > LONGEST_DELAY_OF_ONE_S
-        # which values the answers take
+        # the values that occur in the answers
         angles = [*chain.from_iterable(self.rows)]
         self.is_whole = all(float(angle).is_integer() for angle in angles)
         self.is_rounded = all(abs(angle - round(angle, 1)) < SAME_RAD for angle in angles)
         self.held = [joint.name for joint in joints if joint.is_held]
         same = [one == other for pair in pairwise(self.rows) for one, other in zip(*pair, strict=True)]
         self.stands_still = sum(same) > RARELY * len(same) or 2 * len(self.held) > len(JOINTS)
-        # A joint that is held since a NaN, `survives_nan` judges.
+        # `survives_nan` judges a joint that stands still after a NaN.
         self.is_late = is_late and self.enough and self.finite and not self.held
-        # how much of the noise is left
+        # the share of the noise that is left
         noise_out, noise_in = [one.noise_out for one in joints], [one.noise_in for one in joints]
         self.noise = root_mean_square(noise_out) / root_mean_square(noise_in)  # the share that is left
         self.noisiest = max(joints, key=lambda joint: joint.noise)
@@ -315,7 +320,10 @@ class Section:
 
     @property
     def gap(self) -> tuple[int, float, float] | None:
-        """The widest gap between what is left at joints, if only those below it are filtered: how many, its ends."""
+        """The widest gap in the joints' remaining noise, if only the joints below the gap are filtered; None otherwise.
+
+        The result is the number of joints below the gap, and the noise shares at its two ends.
+        """
         order = sorted(joint.noise for joint in self.joints)
         count = max(range(1, len(order)), key=lambda place: order[place] / order[place - 1])
         below, above = order[count - 1], order[count]
@@ -324,7 +332,7 @@ class Section:
 
 
 class AfterNan:
-    """What the answers are like since the first NaN came in."""
+    """The answers since the first NaN was sent."""
 
     def __init__(self, answers: Answers) -> None:
         by_place, forth = answers.by_place, answers.forth
@@ -335,14 +343,15 @@ class AfterNan:
         self.bad = [SAMPLES[place] for place in bad]
         self.last_bad = self.bad[-1] if bad else None
         self.never_leaves = bool(bad) and bad[-1] == since[-1]
-        # the joint that is farthest from its answer when it has moved on, unless the filter was slow before
+        # the joint that is farthest from its answer after it has moved on, unless the filter was slow even before the
+        # NaN
         follows = MOVED_ON in by_place and forth.enough and forth.delay <= FAR_BEHIND_S
         far = answers.far_at(MOVED_ON, FOLLOWS_RAD) if follows else []
         self.lost = max(far, key=lambda one: abs(one.angle - one.truth), default=None)
 
 
 class Start:
-    """The answers to the first messages after a start that were answered; a few of them may not have been."""
+    """The answers to the first messages after a start. A few of these messages may have no answer."""
 
     def __init__(self, recording: Recording, number: int) -> None:
         self.answers, self.number = ANSWERS(recording), number  # of the restart; 0 at first
@@ -351,14 +360,17 @@ class Start:
         enough = 2 * len(known) >= STARTING
         self.section = Section(self.answers, known if enough else range(first, first + STARTING))
         changed = self.answers.changed_at(first) if first in known else []
-        # the joints that don't begin again, where others do
+        # the joints whose filter isn't reset although others' filters are
         self.old = changed if len(changed) < len(JOINTS) else []
         far_places = {far.sample.place for far in self.section.all_far}
         self.only_first_far = known == [*STARTS[number][:STARTING]] and far_places == {first}
 
     @cached_property
     def on_the_way_from(self) -> str:
-        """From which pose the first far answer is on its way to the joints; "elsewhere" if from none that is known."""
+        """The name of the pose from which the first far answer is moving toward the joints.
+
+        It is "zeros", "before" (the pose before a restart), or "elsewhere" if neither fits.
+        """
         poses = {"zeros": (0.0,) * len(JOINTS)}
         if self.number > 0:
             poses["before"] = SAMPLES[STARTS[self.number][0] - 1].truth
@@ -367,7 +379,10 @@ class Start:
 
 
 def misfit_of(far: Far, pose: Sequence[float]) -> float:
-    """How badly (rad, root mean square) an answer fits a part of the way from the joints to a pose."""
+    """Return an answer's distance (rad, root mean square) from the straight line from the joints to a pose.
+
+    The result is infinite if the answer isn't on the pose's side of the joints.
+    """
     ways = [(angle - at, end - at) for angle, at, end in zip(far.angles, far.sample.truth, pose, strict=True)]
     part = sum(off * way for off, way in ways) / sum(way * way for _, way in ways)
     return root_mean_square([off - part * way for off, way in ways]) if 0.0 < part < math.inf else math.inf
@@ -566,7 +581,10 @@ def survives_nan(recording: Recording) -> Verdict:
 
 
 def unclear(answers: Answers) -> Verdict | None:
-    """Not judged, unless each answer has an angle for each joint, and it can be told which message it is for."""
+    """Return a verdict that says why the answers can't be judged; None if they can be.
+
+    Each answer must have an angle for each joint, and we must know which message it is for.
+    """
     if any(len(answer.angles) != len(JOINTS) for answer in answers.placed):
         return see.not_judged("some answers don't have an angle for each joint")
     if any(answer.place is None for answer in answers.placed):
@@ -583,5 +601,5 @@ def off_and_rounded(answers: Answers) -> Verdict | None:
 
 
 def begins(start: Start, rules: see.Rules[Start]) -> Verdict:
-    """After a start, the angles are near the joints."""
+    """Check that the angles are near the joints after a start. `rules`: the causes if they aren't."""
     return TOO_FEW["near"].first(start.section) or rules.first(start) or IS_NEAR

@@ -1,4 +1,4 @@
-"""How exercise 15 is judged: the judge is a camera that knows where the ball is, and compares the directions."""
+"""Judge exercise 15: the judge is the camera, knows where the ball is, and compares the published directions."""
 
 import cmath
 import math
@@ -26,7 +26,7 @@ CENTER = complex(79.5, 59.5)  # the column and row that are straight ahead
 BALL_RADIUS_M = 0.04
 WITHIN_DEG, LENGTH_SLACK, LEAST_SHARE = 1.0, 0.02, 0.8
 TYPICALLY_S, AT_ONCE_S, SHARE_AT_ONCE = 0.1, 0.4, 0.9
-NEAR_DEG = 2.5  # a wrong direction that is so near to something else was probably taken from there
+NEAR_DEG = 2.5  # a wrong direction so near another object probably points to it
 MOST = 0.6  # this share of the wrong directions must look like a cause
 SURE = 0.9  # as MOST, for a cause that a single direction does not show
 LEAST_KNOWN = 0.2  # of some images, to judge their directions; ten answers a second are more
@@ -35,26 +35,29 @@ BRIGHT, PADDING = 0.7, 32  # good light; unused bytes behind each row
 KNOWN, REFUSED = ("rgb8", "bgr8"), ("rgba8", "mono16", "8UC3")
 NOISE = 2715  # the seed of the images' noise
 
-# Where the brick lies (m: forward, left) and how it is turned (rad). It looks larger than the ball, or smaller, and
-# lies above the ball in the image, or below it.
+# The brick's position (m: forward, left) and its turn (rad). In the image, the brick is larger or smaller than the
+# ball, and above or below it.
 NEAR, FAR, IN_FRONT = (1.02, 0.5, 0.0), (1.5, 0.5, 0.0), (0.7, -0.35, -0.4)
-# The ball rolls near the middle, or from one edge of the image to the other and nearer, or is not there.
+# The ball rolls near the middle, or crosses the image and comes nearer, or isn't there.
 ROLLS, ACROSS, NO_BALL = "rolls", "across", ""
 ROLLING = 2.2  # how fast it rolls back and forth (rad/s)
 
 
 Part = tuple[int, Sequence[str], int, str, float, tuple[float, float], tuple[float, float, float]]
-"""Some images of one kind: how many, their encodings by turns, the padding of each row, what the ball does, where it
-rolls in the first of them (rad), the light in the first and the last of them, and the brick."""
+"""Some images of one kind: their number, the encodings in turn, each row's padding (bytes), and the ball's motion.
+
+Then come the phase of that motion in the first image (rad), the light in the first and the last image, and the brick.
+"""
 
 
 def parts(dice: random.Random) -> tuple[list[Part], float]:
-    """Draw the parts of one run, in order, and from which side the ball comes when it rolls across (1: from the right).
+    """Draw the parts of one run, in order, and the side from which the ball rolls across (1: from the right).
 
-    Before the first encoding that is refused come all kinds but padding: a node that dies of it has shown the rest.
-    These encodings come more than a second apart, because a line in the log may be throttled. They come at no whole
-    second: a stamp that has lost its nanoseconds would name them. Into dim light and into bgr8 the ball jumps.
-    Otherwise it goes on near where it was, so that a search near the last ball finds it.
+    All kinds of images except padding come before the first encoding to refuse, so a node that crashes there has shown
+    the rest. Encodings to refuse come more than a second apart, because the node may throttle its log lines. They don't
+    come at a whole second, because even a stamp without its nanoseconds would identify such an image. The ball jumps
+    when dim light or bgr8 begins. Otherwise, it continues near its last position, so a search near the last ball finds
+    it.
     """
     longer = dice.randint(-2, 2), dice.randint(-2, 2), dice.randint(-4, 0)
     refused, by_turns = dice.sample(REFUSED, len(REFUSED)), dice.sample(KNOWN, len(KNOWN))
@@ -82,7 +85,7 @@ def parts(dice: random.Random) -> tuple[list[Part], float]:
 
 
 def views(dice: random.Random) -> list[CameraView]:
-    """Draw all images of one run: the balls roll, the hands move, and the brick lies next to them."""
+    """Draw all images of one run. The balls roll, the hands move, and the brick lies next to them."""
     chosen, side = parts(dice)
     first_s, nearer, aside = dice.randrange(300, 900), dice.uniform(-0.9, 0.1), dice.uniform(-0.04, 0.01)
     made: list[CameraView] = []
@@ -111,7 +114,7 @@ def views(dice: random.Random) -> list[CameraView]:
 
 
 def script(dice: random.Random) -> list[see.Part]:
-    """Publish the images of one run, one after the other."""
+    """Return the script, which publishes the images of one run one after the other."""
     images = [(round(BEGIN_S + n / RATE_HZ, 4), see.camera_image(view)) for n, view in enumerate(views(dice))]
     return [see.publish(IMAGE.name, Image, images)]
 
@@ -135,12 +138,15 @@ class Vector(NamedTuple):
 
     @property
     def pixel(self) -> complex:
-        """Where the pinhole model sees it: pixels right of the image's center, and (imaginary) below it."""
+        """The pixel of this direction in the pinhole model: right of (real) and below (imaginary) the image's center.
+
+        It is NaN for a direction that doesn't point forward.
+        """
         x, y, z = self
         return complex(FOCAL_PIXELS * x / z, FOCAL_PIXELS * y / z) if z > 0.0 else complex(math.nan, math.nan)
 
     def off_deg(self, other: "Vector") -> float:
-        """Measure the angle to another direction (°); infinite if one of them is none."""
+        """Return the angle (°) to another direction; infinity if one of them isn't a direction."""
         (a, b, c), (x, y, z) = self, other
         dot, cross = a * x + b * y + c * z, (b * z - c * y, c * x - a * z, a * y - b * x)
         known = math.isfinite(dot) and self.length > 0.0 and other.length > 0.0
@@ -151,18 +157,18 @@ NOWHERE = Vector(0.0, 0.0, 0.0)
 
 
 def apart(one: complex, other: complex) -> float:
-    """Measure how far two pixels are apart. Unlike `abs`, it doesn't raise an exception for huge numbers."""
+    """Return the distance between two pixels. Unlike `abs`, it doesn't raise an exception for huge numbers."""
     return math.hypot((one - other).real, (one - other).imag)
 
 
 def share(fits: Iterable[bool]) -> float:
-    """Compute which share is true; 0 of none."""
+    """Return the share of true values; 0 if there are no values."""
     known = list(fits)
     return sum(known) / max(len(known), 1)
 
 
 class Images:
-    """The images of one run. Each is named by its place: 0 is the first one."""
+    """The images of one run. Each is identified by its place, from 0."""
 
     def __init__(self, views: Sequence[CameraView]) -> None:
         self.views, scenes = views, [view.scene for view in views]
@@ -192,12 +198,12 @@ class Images:
 
 @lru_cache(maxsize=4)
 def drawn(seed: int) -> Images:
-    """Draw the images of the run with this seed."""
+    """Return the images of the run with this seed."""
     return Images(views(random.Random(seed)))
 
 
 class Direction:
-    """One published direction, and the image with its stamp. `sent_at`: when each image was sent (s)."""
+    """One published direction, and the image that has its stamp. `sent_at`: when each image was sent (s)."""
 
     def __init__(self, images: Images, sent_at: Sequence[float], message: see.Arrival) -> None:
         stamp, vector = see.Stamp.of(message.value), message.value["vector"]
@@ -220,23 +226,23 @@ class Direction:
         self.is_right = self.length < 1e-6 if self.ball is NOWHERE else found
 
     def is_from_before(self, images: int) -> bool:
-        """Whether it points to where the ball was so many images before."""
+        """Return whether the direction points to the ball's position `images` images earlier."""
         return self.vector.off_deg(self.images.balls.get(self.place - images, NOWHERE)) <= 0.4
 
     def is_by_the_row_alone(self) -> bool:
-        """Whether the elevation is the arc tangent of the row, and the side that of the column."""
+        """Return whether the elevation is the arctangent of the row alone, and the azimuth that of the column."""
         yaw, pitch = math.atan(self.ball.x / self.ball.z), math.atan(self.ball.y / self.ball.z)
         lower = Vector(math.sin(yaw) * math.cos(pitch), math.sin(pitch), math.cos(yaw) * math.cos(pitch))
         return self.vector.off_deg(lower) <= 0.35
 
     def is_squeezed(self) -> bool:
-        """Whether the padding was interpreted as more columns, and these were squeezed to 160."""
+        """Return whether the node interpreted the padding as more columns, and squeezed all of them into 160."""
         ball, factor = self.ball.pixel, 160 / ((3 * 160 + self.padding) // 3)
         column = (CENTER.real + ball.real + 0.5) * factor - 0.5
         return self.padding > 0 and apart(self.vector.pixel, column - CENTER.real + ball.imag * 1j) <= 1.0
 
     def lags(self) -> bool:
-        """Whether it is off toward where the ball was in the images before, and no farther than that."""
+        """Return whether the direction is off toward the ball's earlier positions, and no farther than they are."""
         ball, balls = self.ball.pixel, self.images.balls
         before = [balls[place].pixel for place in range(self.place - 12, self.place) if place in balls]
         back, off = sum(before) / max(len(before), 1) - ball, self.vector.pixel - ball
@@ -246,7 +252,7 @@ class Direction:
 
 
 class Tracking:
-    """All directions that a program published. Raises ValueError for a recording that has no seed."""
+    """All directions that a program published. Raises ValueError for a recording without a seed."""
 
     def __init__(self, recording: Recording) -> None:
         if recording.seed is None:
@@ -256,7 +262,7 @@ class Tracking:
         sent_at = [image.wall for image in see.published(recording, IMAGE.name)]
         messages = [one for one in recording.topic(DIRECTION.name).arrivals if isinstance(one.value, dict)]
         self.directions = [Direction(images, sent_at, message) for message in messages]
-        # the first direction of each image that was answered, by the image's place
+        # the first direction published for each answered image, by the image's place
         self.first = {one.place: one for one in reversed(self.directions) if one.place >= 0}
         self.to_balls = [one for one in self.first.values() if one.ball is not NOWHERE]
         times = Counter(one.number for one in self.directions)
@@ -264,11 +270,11 @@ class Tracking:
         places = {number - 1 for number, _ in self.repeated}
         self.repeats_without_ball = len(places) > 3 and places <= {*images.without_ball}
 
-        # Stamps that no image has. Without its nanoseconds, a stamp is right by chance alone.
+        # Directions whose stamp belongs to no image. Without its nanoseconds, a stamp can be right only by chance.
         whole = in_whole_seconds(self.directions)
         self.strange = [one for one in self.directions if whole or one.place < 0]
         moving = [one for one in self.directions if one.place in images.moving]
-        # how far (°) they are from the ball, and from where it was one image before and is one image after
+        # the directions' distance (°) from the ball: from its position one image before, now, and one image later
         before, here, after = (
             median(one.vector.off_deg(images.balls[one.place + later]) for one in moving)
             if len(moving) >= 10
@@ -279,17 +285,17 @@ class Tracking:
         nearer_to_another = here > 0.3 and min(before, after) <= min(0.5 * here, 0.3)
         self.is_mixed_up = bool(self.strange) or nearer_to_another
 
-        # how long (s) the images that were answered waited for it, in order
+        # how long (s) it took until each answered image got its direction, in order
         self.waits = see.Waits([self.first[place].waited for place in sorted(self.first)], AT_ONCE_S)
         self.answered = [place for place in images.readable if place in self.first]
-        # the encoding of which no image was answered, although nearly all others were
+        # the encoding without a single answered image, if nearly all images in the other one were answered
         answered = [(images.kinds[place][0], place in self.first) for place in images.readable]
         read = {name: share(known for encoding, known in answered if encoding == name) for name in KNOWN}
         least, other = sorted(KNOWN, key=read.__getitem__)
         self.unread = least if read[least] == 0.0 and read[other] >= SURE else ""
         self.unread_images = [view for view in images.views if view.encoding == self.unread]
 
-        # those for images in encodings to refuse, and the encodings of this kind that the node has come to
+        # the directions for images in encodings to refuse, and the encodings to refuse that the node has reached
         self.guessed = [self.first[place] for place in images.others if place in self.first]
         self.guessed_encodings = sorted({one.encoding for one in self.guessed})
         come_to = [place for place in images.others if place < max(self.first, default=0)]
@@ -299,7 +305,7 @@ class Tracking:
 
     @property
     def finds_no_ball(self) -> bool:
-        """Whether nearly all images with a ball were answered as if there were none, or hardly any was answered."""
+        """Whether nearly all images with a ball were answered as if they had none, or too few were answered."""
         balls = Directions(self, self.images.with_ball)
         return balls.too_few or share(one.length > 0.5 for one in balls.known) <= SOME
 
@@ -308,33 +314,36 @@ facts = see.once(Tracking)
 
 
 def in_whole_seconds(directions: list[Direction]) -> bool:
-    """Whether all stamps are whole seconds. A few images are really taken at one."""
+    """Return whether all of more than ten stamps are whole seconds. Only a few images have such a stamp."""
     return len(directions) > 10 and all(one.stamp_s == int(one.stamp_s) for one in directions)
 
 
 class Directions:
-    """The directions that were published for some of the images."""
+    """The directions published for some of the images."""
 
     def __init__(self, run: Tracking, places: Sequence[int]) -> None:
         self.run, self.places, self.recording = run, places, run.recording
         self.known = [run.first[place] for place in places if place in run.first]
-        # too few to judge them: how many come, `keeps_up` judges
+        # too few to judge them; `keeps_up` judges their number
         self.too_few = len(self.known) < max(LEAST_KNOWN * len(places), 3)
         self.wrong = [one for one in self.known if not one.is_right]
         self.example = [*self.wrong, None][len(self.wrong) // 2]
-        # where the ball and each wrong direction are seen; none if these are few, or one of them can't be seen
+        # the pixels of the ball and of each wrong direction; empty if there are few, or if one of them isn't in view
         pixels = [(one.ball.pixel, one.vector.pixel) for one in self.wrong]
         can_tell = len(pixels) >= 4 and all(cmath.isfinite(at) for _, at in pixels)
         self.pixels = pixels if can_tell else []
 
     @property
     def finds_orange(self) -> bool:
-        """Whether many orange balls are found in this encoding, so that red and blue can't be swapped."""
+        """Whether many orange balls are found in the example's encoding, so red and blue can't be swapped."""
         alike = [one for one in self.run.to_balls if self.example and one.encoding == self.example.encoding]
         return share(one.is_right for one in alike) >= LEAST_KNOWN
 
     def misses_low(self, measure: Callable[[Direction], float]) -> bool:
-        """Whether most balls are missed, and measure less than those found: all, and those in images of this kind."""
+        """Return whether most wrong directions miss a ball, and those balls measure less than the balls found.
+
+        The missed balls are compared with all found balls, and with those found in images of the same kind.
+        """
         missed = [measure(one) for one in self.wrong if one.is_zero]
         found = [one for one in self.run.to_balls if one.is_right]
         of_kind = [measure(one) for one in found if one.kind == self.wrong[0].kind]
@@ -344,19 +353,22 @@ class Directions:
         return lower >= SURE and min(map(measure, found)) >= median(missed)
 
     def at(self, expected: Iterable[complex], within: float = 1.0) -> float:
-        """Compute the share of directions that are seen so near (pixels) to where they are expected."""
+        """Return the share of wrong directions whose pixel is at most `within` pixels from the expected one."""
         pairs = zip(self.pixels, expected, strict=True)
         return share(apart(at, pixel) <= within for (_, at), pixel in pairs)
 
     @property
     def moved(self) -> float:
-        """Which share is off by the same number of pixels."""
+        """The share of wrong directions that are off by the same vector of pixels."""
         off = [at - ball for ball, at in self.pixels] or [0j]
         by = complex(median(one.real for one in off), median(one.imag for one in off))
         return self.at(ball + by for ball, _ in self.pixels)
 
     def scaled(self, *, together: bool) -> float:
-        """Compute the share that is too far from the center by a factor: one for both axes together, or one each."""
+        """Return the share of wrong directions whose distance from the center is scaled.
+
+        `together`: with one factor for both axes, instead of one for each.
+        """
         across = [(ball.real, at.real) for ball, at in self.pixels]
         along = [(ball.imag, at.imag) for ball, at in self.pixels]
         right, down = (slope(across + along),) * 2 if together else (slope(across), slope(along))
@@ -365,7 +377,7 @@ class Directions:
 
     @property
     def edge(self) -> str:
-        """The edge or corner of the ball that most point to; empty if there is none."""
+        """The edge or corner of the ball that most wrong directions point to; empty if there is none."""
         seen = self.wrong if self.pixels else []
         for name, side in EDGES.items():
             if self.at((one.ball.pixel + side * one.width / 2 for one in seen), within=1.5) >= SURE:
@@ -385,7 +397,7 @@ def slope(pairs: Sequence[tuple[float, float]]) -> float:
 
 
 SIDES = {"left": -1, "right": 1, "upper": -1j, "lower": 1j}
-"""Where the edges of the ball lie, seen from its center, as a pixel does."""
+"""The direction from the ball's center to each edge, as in `Vector.pixel`: right (real) and down (imaginary)."""
 CORNERS = [(down, right) for down in ("upper", "lower") for right in ("left", "right")]
 EDGES = {f"{name} edge": side for name, side in SIDES.items()}
 EDGES |= {f"{down} {right} corner": SIDES[down] + SIDES[right] for down, right in CORNERS}
@@ -393,17 +405,17 @@ Fits = Callable[[Directions], bool]
 
 
 def most(fits: Callable[[Direction], bool]) -> Fits:
-    """Whether most of the wrong directions look like a cause."""
+    """Return a test of whether most of some images' wrong directions satisfy `fits`."""
     return lambda some: share(map(fits, some.wrong)) >= MOST
 
 
 def points_to(expected: Callable[[Direction], Vector]) -> Fits:
-    """Whether most are near to a direction other than the ball's."""
+    """Return a test of whether most wrong directions are near the `expected` direction instead of the ball's."""
     return most(lambda one: one.vector.off_deg(expected(one)) <= NEAR_DEG < one.off)
 
 
 def misses_all(has: Callable[[Direction], bool]) -> Fits:
-    """Whether most miss a ball of some kind, of which none was found."""
+    """Return a test of whether most wrong directions miss a ball of some kind, and no such ball was found."""
     missed = most(lambda one: one.is_zero and has(one))
     return lambda some: missed(some) and not any(one.is_right and has(one) for one in some.run.to_balls)
 
@@ -597,7 +609,7 @@ def no_ball_said(recording: Recording) -> Verdict:
 
 
 def judged(some: Directions, suspected: see.Cause | None = None) -> Verdict:
-    """Compare directions with the ball. `suspected`: the cause if most are wrong and don't show why."""
+    """Return the verdict on some directions. `suspected`: the cause if most are wrong without showing why."""
     if some.run.is_mixed_up:
         return MIXED_UP
     if some.too_few:

@@ -1,4 +1,4 @@
-"""How exercise 16 is judged: the judge is camera and IMU, and knows what is on the desk and when the robot falls."""
+"""Judge exercise 16: the judge is the camera and the IMU, and knows the toys on the desk and when the robot falls."""
 
 import math
 import random
@@ -26,7 +26,7 @@ STATUS = topic("/robot/status", String, hz=10.0)
 CAMERA_HZ, IMU_HZ, BEGIN_S, PICTURES = 30.0, 50.0, 0.5, 330
 IMU_SECONDS = PICTURES / CAMERA_HZ
 MODEL_S, SOONEST_S, TYPICALLY_S, MOSTLY_S, MOSTLY_SHARE, LEAST_HZ = 0.2, 0.19, 0.30, 0.35, 0.9, 3.0
-PAUSE_S = 2.0  # unanswered for so long after a glare, the node doesn't just continue: six images are due
+PAUSE_S = 2.0  # without an answer for so long after a glare, the node pauses: six images are due
 STOPPED_S = 1.5  # without an answer for so long at the end, the node has stopped looking
 WITHIN_PIXELS, RIGHT_SHARE = 5.0, 0.8
 WHOLE = 0.9  # a toy must be detected if this share of it is visible; otherwise, it may be
@@ -40,13 +40,13 @@ LABELS = {"ball", "brick", "cup", "plate"}
 OPERATIONAL, ERROR = "operational", "error"
 WORDS_OF_THE_MODEL = re.compile(r"glare: \d+ ?% of the picture is white")
 MOST = 0.6  # so many of the wrong messages must fit a cause
-MOST_BEHIND = 12  # images: a result with a header from so much later has waited for another call of the model
+MOST_BEHIND = 12  # images: a result whose stamp is this much later waited for another call of the model
 NOISE = 1616  # the seed of the noise in the images
 
 
 @dataclass(frozen=True)
 class Toy:
-    """Something on the desk, in an image or in a marker: its label, its center (pixels), and the share in view."""
+    """A toy on the desk, in an image or in a marker: its label, its center (pixels), and its visible share."""
 
     label: str
     u: float
@@ -69,7 +69,7 @@ class Toy:
 
 @dataclass(frozen=True)
 class Tilt:
-    """Samples of the IMU in which the robot is tilted: how far, and where to (°): 0 is forward, 90 is to the left."""
+    """IMU samples during which the robot is tilted: by `deg` (°), `toward` a direction (°; 0: forward, 90: left)."""
 
     first: int
     count: int
@@ -78,21 +78,22 @@ class Tilt:
 
     @property
     def end(self) -> int:
-        """The first sample after them."""
+        """The first sample after the tilt."""
         return self.first + self.count
 
 
 class Run:
-    """What happens in one run, and what the program is shown: images, named by their places, and samples of the IMU.
+    """The events of one run, and the program's input: images, identified by their places, and IMU samples.
 
-    `glare_s`: when (s since the first image) the light is so bright that the model gives up. All jolts and `leaning`
-    are over when the robot falls. The last two jolts are nine samples each, with six upright ones between them.
+    `glare_s`: the times (s since the first image) at which the light is so bright that the model gives up. All jolts
+    and `leaning` end before the robot falls. The last two jolts have nine samples each, with six upright ones in
+    between.
     """
 
     def __init__(self, dice: random.Random) -> None:
-        # In tenths of a second, of five samples each. After a glare, the robot neither leans nor falls for a while. A
-        # program that rests for three seconds after each exception, or for five, works again before the end. After
-        # the fall, two more seconds come at least.
+        # Times are in tenths of a second, which have five samples each. After a glare, the robot neither leans nor
+        # falls for a while. A program that pauses for three or five seconds after each exception works again before the
+        # end. At least two more seconds follow the fall.
         falls, jolted = dice.randint(64, 87), dice.randint(6, 10)
         glare = dice.randint(jolted + 11, 24)
         again = dice.randint(glare + 26, min(glare + 46, falls - 14))
@@ -107,7 +108,7 @@ class Run:
             Tilt(5 * jolted + 35, 9, 75.0, toward[3]),
         )
         self.leaning = Tilt(5 * leans, 50, 55.0, toward[4])
-        # Forward and to the left: in each of these directions alone, it is tilted by less than 60°.
+        # The robot falls forward and to the left, so that its tilt in each of these directions alone is less than 60°.
         self.fall = Tilt(5 * falls, 65, FALLEN_DEG, dice.uniform(43.0, 47.0))
         self.fall_sample = self.fall.first + TILTED_SAMPLES - 1  # with it, the fall is a fall
         self.views = views(dice, self.glare)
@@ -116,11 +117,11 @@ class Run:
         self.in_glare = [place for place in range(PICTURES) if self.glare(place / CAMERA_HZ)]
 
     def glare(self, seconds: float) -> bool:
-        """Whether the model gives up on an image that is taken so long after the first one."""
+        """Return whether the model gives up on an image taken `seconds` s after the first one."""
         return any(begin <= seconds < end for begin, end in self.glare_s)
 
     def _sample(self, dice: random.Random, number: int) -> tuple[float, dict[str, Any]]:
-        """When a sample of the IMU is due (s), and the fields of its message. The largest tilt counts."""
+        """Return when an IMU sample is due (s), and its message's fields. If tilts overlap, the largest one counts."""
         tilts = [one for one in (*self.jolts, self.leaning, self.fall) if one.first <= number < one.end]
         deg, toward_deg = max(((one.deg, one.toward) for one in tilts), default=(3.0, 0.0))
         tilt, toward, seconds = math.radians(deg), math.radians(toward_deg), number / IMU_HZ
@@ -140,7 +141,10 @@ class Run:
 
 
 def views(dice: random.Random, glare: Callable[[float], bool]) -> list[see.CameraView]:
-    """All images of one run, in order: toys lie on the desk, the head turns from side to side, and the ball rolls."""
+    """Draw all images of one run, in order.
+
+    Toys lie on the desk, the head turns from side to side, and the ball rolls.
+    """
     swung, swayed, turned = (dice.uniform(0.0, 2 * math.pi) for _ in range(3))
     side, first_stamp_s = dice.choice((-1.0, 1.0)), dice.randrange(300, 900)
 
@@ -173,7 +177,7 @@ def drawn(seed: int) -> Run:
 
 
 def script(dice: random.Random) -> list[see.Part]:
-    """The images and samples of one run."""
+    """Return the script with the images and samples of one run."""
     run = Run(dice)
     times = [round(BEGIN_S + place / CAMERA_HZ, 4) for place in range(PICTURES)]
     images = list(zip(times, map(see.camera_image, run.views), strict=True))
@@ -190,7 +194,7 @@ def in_judges_time(recording: Recording) -> Recording:
 
 @dataclass(frozen=True)
 class Answer:
-    """One MarkerArray: the place of its image (-1: none, or several), its stamps (s), when it was published (s)."""
+    """One MarkerArray: its image's place (-1: none, or several), stamps (s), detections, and publication time (s)."""
 
     place: int
     stamps: tuple[float, ...]
@@ -199,9 +203,9 @@ class Answer:
 
 
 class Watched:
-    """What was sent to the program, and what came back. Times are seconds on the wall clock.
+    """The messages sent to the program, and its answers. Times are seconds on the wall clock.
 
-    Raises ValueError for a recording that has no seed.
+    Raises ValueError for a recording without a seed.
     """
 
     def __init__(self, recording: Recording) -> None:
@@ -231,15 +235,15 @@ class Watched:
         return Answer(place, tuple(stamp.seconds for stamp in stamps), things, arrival.published)
 
     def in_glare(self, at: float, late: float, early: float = 0.0) -> bool:
-        """Whether a moment is during a glare, or at most `late` after one, or `early` before (s)."""
+        """Return whether a moment (s) is in a glare, at most `late` s after one, or at most `early` s before one."""
         return any(begin - early <= at <= end + late for begin, end in self.glares)
 
     def gave_up(self, last: Answer) -> bool:
-        """Whether the last message came as the model was given the first images with glare, or before its end."""
+        """Return whether the last message came so near a glare that the model may have given up right after it."""
         return self.in_glare(last.wall, 2 * MODEL_S, early=MODEL_S)
 
     def waits_for_the_model(self) -> bool:
-        """Whether most heartbeats come just after the model has finished: one thread does both in turn."""
+        """Return whether most heartbeats come right after the model has finished, because one thread does both."""
         done = [one.wall for one in self.answers] or [math.inf]
         times = [at for at, _ in self.statuses if done[0] <= at <= done[-1] + MODEL_S]
         within = [at for at in times if not self.in_glare(at, 2 * MODEL_S)]
@@ -248,7 +252,7 @@ class Watched:
 
 
 class Heartbeat(Watched):
-    """How regularly the status comes: from the first heartbeat to the end, or to the last one if the program ended."""
+    """The regularity of the status, from the first heartbeat to the end, or to the last one if the program ended."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -265,7 +269,7 @@ class Heartbeat(Watched):
 
 
 class Detections(Watched):
-    """To which images the detections belong, and how old (s) the images were when the messages were published."""
+    """The images that the detections are for, and the images' ages (s) when the messages were published."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -298,13 +302,16 @@ class Detections(Watched):
         self.rest = next((rest for rest in rests if rest > PAUSE_S), 0.0)  # without messages after a glare
 
     def _next(self, over: float) -> float:
-        """When the next image was answered after a glare, or when the last one was sent."""
+        """Return when the next image after a glare was answered, or when the last one was sent if none was.
+
+        `over`: when the glare ended (s).
+        """
         return min((one.wall for one in self.full if one.wall > over + MODEL_S / 2), default=self.sent[-1])
 
     def _pictures_behind(self, known: Sequence[Answer]) -> int:
-        """How many images before those with their stamps the detections fit; 0 if they fit these, or none.
+        """Return how many images the detections lag behind their stamps; 0 if they don't, or if that's unclear.
 
-        Only messages for which the toys have moved far enough in between can tell.
+        Only messages count for which the toys have moved far enough in between.
         """
         toys = self.run.toys
         best = min(range(MOST_BEHIND + 1), key=lambda back: fmean(self._misfits(known, back)))
@@ -314,23 +321,26 @@ class Detections(Watched):
         return best if tells and here > WITHIN_PIXELS / 2 and there <= here / 2 else 0
 
     def _misfits(self, given: Iterable[Answer], back: int) -> list[float]:
-        """How far (pixels) each message is off, by the toys so many images before the one with its stamp."""
+        """Return each message's misfit (pixels) with the toys `back` images before the one with its stamp."""
         return [misfit(one.things, self.run.toys[one.place - back]) for one in given] or [0.0]
 
 
 def misfit(things: Iterable[Toy], toys: Sequence[Toy]) -> float:
-    """How far (pixels) things typically are from the nearest toys with their labels; a large number without any."""
+    """Return the typical distance (pixels) from detections to the nearest toy with the same label.
+
+    A detection without such a toy counts as a large distance.
+    """
     off = [[one.pixels_to(toy) for toy in toys if toy.label == one.label] for one in things]
     return median([min(pixels, default=99.0) for pixels in off] or [0.0])
 
 
 def typical_step(given: Iterable[Answer]) -> float:
-    """The typical time (s) between two messages; infinite if there is only one."""
+    """Return the typical time (s) between two messages; infinity if there are fewer than two."""
     return median([b.wall - a.wall for a, b in pairwise(given)] or [math.inf])
 
 
 class Freshness(Detections):
-    """How old the detections are (s), and how many images are answered a second; of three messages at least."""
+    """The detections' ages (s), and the number of images answered per second. There must be at least three messages."""
 
     def __init__(self, recording: Recording, raw_ages: Sequence[float]) -> None:
         super().__init__(recording)
@@ -361,7 +371,7 @@ class Freshness(Detections):
 
 
 class Message:
-    """The detections in one message, and the toys in its image. Those that are `whole` must be detected."""
+    """The detections in one message, and the toys in its image. The program must detect the toys in `whole`."""
 
     def __init__(self, run: Run, place: int, found: Sequence[Toy]) -> None:
         toys, scene, self.number, self.found = run.toys[place], run.views[place].scene, place + 1, found
@@ -380,7 +390,7 @@ class Message:
 
 
 class Correctness:
-    """How many messages are right, and those that aren't."""
+    """The number of right messages, and the wrong ones."""
 
     def __init__(self, messages: Sequence[Message]) -> None:
         self.wrong = [one for one in messages if not one.is_right]
@@ -388,12 +398,12 @@ class Correctness:
         self.example = [*self.wrong, None][len(self.wrong) // 2]
 
     def mostly(self, fits: Callable[[Message], bool]) -> bool:
-        """Whether most of the wrong messages fit."""
+        """Return whether most of the wrong messages satisfy `fits`."""
         return sum(map(fits, self.wrong)) >= MOST * len(self.wrong)
 
 
 class Survival(Detections):
-    """What happens when the model raises its exception."""
+    """The program's behavior when the model raises its exception."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -414,7 +424,7 @@ class Survival(Detections):
 
 
 class Fall(Watched):
-    """When the status changes, and what happens to the robot then."""
+    """The changes of the status, compared with the robot's jolts and its fall."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -430,7 +440,7 @@ class Fall(Watched):
         self.when_forgiven = "while the robot was still on the floor" if self.upright_for < 0.0 else upright
 
     def error_during(self, tilt: Tilt, skipped: int = 0) -> bool:
-        """Whether "error" came during a tilt, without its first samples, or soon after it."""
+        """Return whether "error" came during a tilt or soon after it. The first `skipped` samples don't count."""
         return self.felt[tilt.first + skipped] <= self.error_at <= self.felt[tilt.end] + REACTS_S
 
 
@@ -478,7 +488,7 @@ NOT_FRESH = WORDS.rules(
     Freshness,
     "fresh",
     ("faster-than-the-model", lambda f: f.knows_stamps and round(f.raw_typical, 2) < SOONEST_S),
-    # On a busy machine, the moment at which an image was sent is sometimes noted late.
+    # On a busy machine, the moment at which an image was sent is sometimes recorded late.
     ("some-guessed", lambda f: f.knows_stamps and f.too_soon > f.messages / 20),
     ("queue-grows", lambda f: f.too_old and f.last > f.first + 1.0),
     ("slow", lambda f: f.too_old and f.apart > 1.5 * MODEL_S),
@@ -656,6 +666,6 @@ def fall_reported(recording: Recording) -> Verdict:
 
 
 def few_answers(recording: Recording, answered: int) -> Verdict:
-    """Nothing can be said, because hardly any image was answered."""
+    """Return the verdict if hardly any image was answered, so nothing else can be judged."""
     few = FEW_ANSWERS.verdict(answered=answered)
     return see.ended_or_error(recording, few.saw, few.expected) or few

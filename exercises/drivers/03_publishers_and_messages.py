@@ -1,9 +1,10 @@
-"""Calls `publish_level` of the answer's BatteryPublisher with one value after another, and says what became of each.
+"""Call `publish_level` of the answer's BatteryPublisher with one value after another, and report each outcome.
 
 Topics:
-    /driver/calls (std_msgs/String), heard: the arguments, one Python expression a line. The driver begins with it.
-    /driver/report (std_msgs/String), published once the arguments are there: "made" or "not made: ...", then for each
-        call "call 3: publish_level(64)", and "call 3 returned" or "call 3 raised TypeError: ...", at last "done". Each
+    /driver/calls (std_msgs/String), subscription: the arguments, one Python expression per line. The driver waits for
+        them before it does anything.
+    /driver/report (std_msgs/String), publisher: "made" or "not made: ...". Then, for each call,
+        "call 3: publish_level(64)", and "call 3 returned" or "call 3 raised TypeError: ...". Finally, "done". Each
         report is signed.
 """
 
@@ -23,14 +24,14 @@ from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import String
 
-sign: Callable[[str, str], str] = globals()["sign"]  # the host has put it here: it signs a report for a topic
+sign: Callable[[str, str], str] = globals()["sign"]  # provided by the host; signs a report for a topic
 
 REPORT = "/driver/report"
 PACE_S = 0.06  # from one call to the next: all of them take about a second
-BREATH_S = 0.01  # what a call sends must carry a later time stamp than its announcement
-AT_ONCE = 4  # the call with this number follows the one before at once, with a shorter breath
+BREATH_S = 0.01  # a call's messages need a later timestamp than its announcement
+AT_ONCE = 4  # the call with this number follows the previous one immediately, with a shorter pause
 SHORT_BREATH_S = 0.001
-PATIENCE_S = 1.0  # for a listener; an answer that publishes elsewhere never gets one
+PATIENCE_S = 1.0  # for a subscriber; an answer that publishes on another topic never gets one
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 NAMES = {"np": np, "nan": float("nan"), "inf": float("inf")}
 LONGEST_ERROR = 300  # characters
@@ -39,7 +40,7 @@ MOST_EARLY = 3  # of these messages are reported
 
 @contextmanager
 def sending_noted() -> Iterator[list[object]]:
-    """Note what is published on the battery's topic meanwhile."""
+    """Collect the values that are published on /robot/battery while the block runs, and yield their list."""
     noted: list[object] = []
     publish = Publisher.publish
 
@@ -56,7 +57,7 @@ def sending_noted() -> Iterator[list[object]]:
 
 
 def make_battery() -> tuple[Any, str]:
-    """The answer's node, and in words what keeps it from being used ("" if nothing does)."""
+    """Create the answer's node. Return it (or None), and the reason why it can't be used; empty if it can."""
     make = getattr(answer, "BatteryPublisher", None)
     if make is None:
         return None, "no class BatteryPublisher"
@@ -71,15 +72,15 @@ def make_battery() -> tuple[Any, str]:
 
 
 def in_words(error: Exception) -> str:
-    """An error on one line, as Python prints it."""
+    """Return an error on one line, as Python prints it."""
     text = " ".join(str(error).split())[:LONGEST_ERROR]
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 
 class Driver(Node):
-    """Makes one call at each tick, once somebody listens to what it says and to what the answer says.
+    """Makes one call per tick, once its reports and the answer's messages have subscribers.
 
-    `early`: what the answer's node sent when it was made. No listener can hear that.
+    `early`: the values that the answer's node published while it was created. No subscription can receive these.
     """
 
     def __init__(self, battery: Any, trouble: str, early: list[object]) -> None:
@@ -96,28 +97,28 @@ class Driver(Node):
         self.timer = self.create_timer(PACE_S, self.on_tick)
 
     def say(self, text: str) -> None:
-        """Say something on /driver/report, signed."""
+        """Publish a signed report on /driver/report."""
         self.report_publisher.publish(String(data=sign(REPORT, text)))
 
     def on_calls(self, message: String) -> None:
-        """Take the arguments; begin when the battery's topic is connected, or after a while without."""
+        """Store the arguments. Calls begin when the battery's topic has a subscriber, or after a second without."""
         if not self.expressions:
             self.expressions = message.data.splitlines()
             self.not_before = time.monotonic() + PATIENCE_S
 
     def on_tick(self) -> None:
-        """Say how the making went, then make one call, and once two."""
+        """Report whether the answer's node was created. On each later tick, make one call, or once two."""
         if not self.expressions or self.report_publisher.get_subscription_count() == 0:
             return
         if self.to_say:
             self.say(self.to_say)
             self.to_say = ""
-            # One side of a connection knows of it before the other: what is said in between would be lost.
+            # One end of a connection discovers it before the other. Messages in between would be lost.
             for level in self.early[:MOST_EARLY]:
                 self.say(f"sent before any call: {level}")
             self.early.clear()
             self.report_publisher.wait_for_all_acked(Duration(seconds=PATIENCE_S))
-            self.timer.reset()  # or the calls after a long wait would follow one another faster
+            self.timer.reset()  # otherwise, the calls after a long wait would follow each other faster
         elif self.usable and self.is_heard():
             self.call_next(BREATH_S)
             if self.called + 1 == AT_ONCE:
@@ -127,7 +128,7 @@ class Driver(Node):
                 self.usable = False
 
     def is_heard(self) -> bool:
-        """Whether everything that the answer publishes has a listener, or there was time enough for one."""
+        """Return whether all of the answer's publishers have subscribers, or there was enough time to get some."""
         if self.called or time.monotonic() > self.not_before:
             return True
         publishers = [
@@ -136,7 +137,7 @@ class Driver(Node):
         return bool(publishers) and all(one.get_subscription_count() > 0 for one in publishers)
 
     def call_next(self, breath_s: float) -> None:
-        """Call the answer with the next value, so long (s) after announcing it."""
+        """Announce the next call, wait for `breath_s` s, make the call, and report its outcome."""
         expression, number = self.expressions[self.called], self.called + 1
         self.called = number
         self.say(f"call {number}: publish_level({expression})")
@@ -151,7 +152,7 @@ class Driver(Node):
 
 
 def main() -> None:
-    """Make the answer's node and run it together with the driver, until Ctrl-C."""
+    """Create the answer's node, and run it together with the driver until Ctrl-C."""
     if not rclpy.ok():
         rclpy.init()
     with sending_noted() as early:

@@ -1,17 +1,21 @@
-"""Calls `pump` of an answer, each time that somebody says so on /driver/go, and announces begin and end of each call.
+"""Call the answer's `pump` for each order on /driver/go, and announce the begin and the end of each call.
 
-    /driver/go (std_msgs/String), heard: "1 robot 1.5" means that call 1 is pump(robot, 1.5). An order may come again.
-    /driver/pump (std_msgs/String), said: "begin 1", then "end 1 1.501 0.020 0.001 0.03", or "raised 1 TypeError: ...",
-        or "missing" if the answer has no such function. The call took 1.501 s. In this time the program used a
-        processor for 0.02 s, the thread that called waited for one for 0.001 s, and the host of the machine took one
-        away for 0.03 s. The last announcement is made again and again until something new happens.
-    /driver/changed (std_msgs/String), said: what a call has changed and should not have: "1 timer left", for example.
+Topics:
+    /driver/go (std_msgs/String), subscription: "1 robot 1.5" means that call 1 is pump(robot, 1.5). A repeated order
+        has no effect.
+    /driver/pump (std_msgs/String), publisher: "begin 1", then "end 1 1.501 0.020 0.001 0.03" or
+        "raised 1 TypeError: ...", or "missing" if the answer has no such function. In this example, the call took
+        1.501 s. In this time, the program used 0.02 s of CPU time, the calling thread waited 0.001 s for a processor,
+        and the virtual machine's host took a processor away for 0.03 s. The driver repeats its last announcement until
+        there is a new one.
+    /driver/changed (std_msgs/String), publisher: an unwanted change that a call made. "1 1 timer left" means that
+        call 1 left a timer behind.
 
-All of this is signed, and so is what the robots tell, in the label of its first dimension.
+All of these reports are signed. So are the robots' messages, in the label of their first dimension.
 
-What the robots do, they tell with the number of the call in which they did it, 0 between the calls. So it does not
-matter when a message arrives on a busy machine. The driver speaks from a context of its own: it can still tell what
-happened when an answer shuts ROS down.
+Each message of a robot contains the number of the call in which the robot published it, or 0 between calls. So it
+doesn't matter when the message arrives on a busy machine. The driver has a separate context, so it can still report
+what happened after an answer has shut ROS down.
 """
 
 import concurrent.futures.thread
@@ -34,23 +38,23 @@ from rclpy.publisher import Publisher
 from rclpy.timer import Timer
 from std_msgs.msg import Int32, Int32MultiArray, MultiArrayDimension, MultiArrayLayout, String
 
-sign: Callable[[str, str], str] = globals()["sign"]  # the host has put it here: it signs a report for a topic
+sign: Callable[[str, str], str] = globals()["sign"]  # provided by the host; signs a report for a topic
 
-# The criteria know these three.
+# The criteria contain copies of these three constants.
 HEARTBEAT_PERIOD_S = 0.1
 LOOK_PERIOD_S = 0.5
 JOB_S = 0.4
 
-REPEAT_S = 0.1  # how often the latest announcement is made again
-PATIENCE_S = 1.0  # a judge that is not there by then will not come
+REPEAT_S = 0.1  # period at which the latest announcement is repeated
+PATIENCE_S = 1.0  # a judge that hasn't appeared by then won't
 GRACE_S = 0.3  # a thread that was told to end has ended by then
 
 
 class Watched:
-    """Notes what a call of pump changes: who calls rclpy.init, makes a node, or starts a timer anew.
+    """Records the unwanted changes that a call of pump makes, such as a new node, rclpy.init, or a reset timer.
 
     Attributes:
-        noted: What was done and should not have been, in words, since `begin`.
+        noted: The unwanted changes since `begin`, in words.
     """
 
     def __init__(self) -> None:
@@ -61,12 +65,12 @@ class Watched:
         self.threads: list[threading.Thread] = []
 
     def note(self, what: str) -> None:
-        """Note something once, while a call runs."""
+        """Record a change while a call runs, unless it was already recorded."""
         if self.watches and what not in self.noted:
             self.noted.append(what)
 
     def tells(self, call: Callable[..., Any], what: str) -> Callable[..., Any]:
-        """The same function, but each call of it is noted."""
+        """Wrap a function so that each call of it is recorded as `what`."""
 
         @functools.wraps(call)
         def told(*arguments: Any, **named: Any) -> Any:
@@ -76,7 +80,7 @@ class Watched:
         return told
 
     def begin(self, node: Node) -> None:
-        """A call of pump begins, with this node."""
+        """Begin to record changes: a call of pump is about to start with this node."""
         self.noted = []
         self.before = entities(node)
         self.periods = periods(node)
@@ -84,7 +88,7 @@ class Watched:
         self.watches = True
 
     def end(self, node: Node) -> list[str]:
-        """The call has ended: what it has changed."""
+        """Stop recording after a call, and return the changes that it made."""
         self.watches = False
         after = entities(node)
         for kind, ones in self.before.items():
@@ -103,7 +107,7 @@ class Watched:
         return self.noted
 
     def left_a_thread(self) -> str:
-        """What a thread does that the call has left behind, in words; empty if there is none. It may take a moment."""
+        """Describe a thread that the call left behind; empty if there is none. This may take a moment."""
         new = [one for one in threading.enumerate() if one not in self.threads]
         if any(still_spins(one) for one in new):
             return "a thread still spins"
@@ -111,7 +115,7 @@ class Watched:
 
 
 def entities(node: Node) -> dict[str, list[object]]:
-    """What a node has."""
+    """Return a node's entities and parameters by kind."""
     return {
         "timer": [*node.timers],
         "subscription": [*node.subscriptions],
@@ -124,12 +128,12 @@ def entities(node: Node) -> dict[str, list[object]]:
 
 
 def periods(node: Node) -> dict[Timer, int]:
-    """The period (ns) of each timer that still has one."""
+    """Return the period (ns) of each timer that wasn't canceled or destroyed."""
     return {timer: timer.timer_period_ns for timer in node.timers if not is_canceled(timer)}
 
 
 def is_canceled(timer: Timer) -> bool:
-    """Whether a timer was canceled, or destroyed."""
+    """Return whether a timer was canceled or destroyed."""
     try:
         return bool(timer.is_canceled())
     except Exception:
@@ -137,7 +141,7 @@ def is_canceled(timer: Timer) -> bool:
 
 
 def still_spins(thread: threading.Thread) -> bool:
-    """Whether a thread goes on in a spin of rclpy: one that was told to end has a moment to do so."""
+    """Return whether a thread is still spinning after a moment in which it could have ended."""
     if not spins(thread):
         return False
     thread.join(GRACE_S)
@@ -145,7 +149,7 @@ def still_spins(thread: threading.Thread) -> bool:
 
 
 def spins(thread: threading.Thread) -> bool:
-    """Whether a thread is in a spin of rclpy now. A pool's thread that waits for work is not."""
+    """Return whether a thread is in one of rclpy's spin functions now. A pool's idle thread isn't."""
     frame = sys._current_frames().get(thread.ident or 0)
     while frame is not None:
         code = frame.f_code
@@ -156,7 +160,10 @@ def spins(thread: threading.Thread) -> bool:
 
 
 def still_runs(thread: threading.Thread) -> bool:
-    """Whether a thread goes on with anything: one that was told to end has a moment to do so."""
+    """Return whether a thread is still running after a moment in which it could have ended.
+
+    A pool's idle thread doesn't count.
+    """
     if waits_for_work(thread):
         return False
     thread.join(GRACE_S)
@@ -164,7 +171,7 @@ def still_runs(thread: threading.Thread) -> bool:
 
 
 def waits_for_work(thread: threading.Thread) -> bool:
-    """Whether this is a pool's thread that has nothing to do."""
+    """Return whether this is a pool's idle thread."""
     frame = sys._current_frames().get(thread.ident or 0)
     code = frame.f_code if frame is not None else None
     return code is not None and (code.co_filename, code.co_name) == (
@@ -182,14 +189,15 @@ import answer  # type: ignore[import-not-found]  # noqa: E402  # the student's f
 
 
 class Teller(Node):
-    """A node that tells what it does, and in which call of pump. It does jobs of 0.4 s.
+    """A node that publishes what it does, and in which call of pump. It can do jobs, which take 0.4 s.
 
     Topics:
-        /robot/job_begun (std_msgs/Int32MultiArray): the call; the number of a job. /robot/job_done: when it ends.
+        /robot/job_begun (std_msgs/Int32MultiArray): the call, and the number of a job that begins.
+        /robot/job_done (std_msgs/Int32MultiArray): the same when the job ends.
 
     Attributes:
-        call: The number of the call that runs now; 0 if none does.
-        at_work: The job that was begun and is not finished; None if there is none.
+        call: The number of the current call; 0 between calls.
+        at_work: The job that has begun but not ended; None if there is none.
     """
 
     def __init__(self, name: str) -> None:
@@ -200,7 +208,7 @@ class Teller(Node):
         self.job_done_publisher = self.create_publisher(Int32MultiArray, "/robot/job_done", 100)
 
     def work(self, job: Int32) -> None:
-        """Do a job that takes its time."""
+        """Do a job, which takes 0.4 s."""
         self.at_work = job.data
         self.tell(self.job_publisher, job.data)
         time.sleep(JOB_S)
@@ -208,18 +216,18 @@ class Teller(Node):
         self.at_work = None
 
     def tell(self, publisher: Publisher, number: int) -> None:
-        """Publish the number of the call and another number."""
+        """Publish the call's number and another number, signed."""
         signed = MultiArrayDimension(label=sign(publisher.topic_name, f"{self.call} {number}"))
         publisher.publish(Int32MultiArray(data=[self.call, number], layout=MultiArrayLayout(dim=[signed])))
 
 
 class Robot(Teller):
-    """A robot with two timers that listens to words, and to jobs of 0.4 s.
+    """A robot with two timers, which subscribes to words and to jobs of 0.4 s.
 
     Topics:
-        /robot/heartbeat (std_msgs/Int32MultiArray), 10 Hz, and /robot/look, 2 Hz: the call; how many there were.
-        /robot/heard: the call; each number from /robot/words (std_msgs/Int32).
-        /robot/job_begun and /robot/job_done: each number from /robot/jobs (std_msgs/Int32).
+        /robot/heartbeat (std_msgs/Int32MultiArray), 10 Hz, and /robot/look, 2 Hz: the call, and how many there were.
+        /robot/heard: the call, and each number from /robot/words (std_msgs/Int32).
+        /robot/job_begun and /robot/job_done: the call, and each number from /robot/jobs (std_msgs/Int32).
     """
 
     def __init__(self) -> None:
@@ -235,25 +243,25 @@ class Robot(Teller):
         self.create_subscription(Int32, "/robot/jobs", self.work, 100)
 
     def beat(self) -> None:
-        """Tell that the robot lives."""
+        """Publish a heartbeat."""
         self.heartbeats += 1
         self.tell(self.heartbeat_publisher, self.heartbeats)
 
     def look_around(self) -> None:
-        """Tell that the robot has looked around."""
+        """Publish that the robot has looked around."""
         self.looks += 1
         self.tell(self.look_publisher, self.looks)
 
     def hear(self, word: Int32) -> None:
-        """Repeat a word."""
+        """Publish a received word."""
         self.tell(self.heard_publisher, word.data)
 
 
 class QuietRobot(Teller):
-    """A robot without timers: as long as nobody talks to it, it has nothing to do.
+    """A robot without timers. It's idle as long as it receives no messages.
 
     Topics:
-        /quiet/heard (std_msgs/Int32MultiArray): the call; each number from /quiet/words (std_msgs/Int32).
+        /quiet/heard (std_msgs/Int32MultiArray): the call, and each number from /quiet/words (std_msgs/Int32).
     """
 
     def __init__(self) -> None:
@@ -262,15 +270,15 @@ class QuietRobot(Teller):
         self.create_subscription(Int32, "/quiet/words", self.hear, 100)
 
     def hear(self, word: Int32) -> None:
-        """Repeat a word."""
+        """Publish a received word."""
         self.tell(self.heard_publisher, word.data)
 
 
 class Worker(Teller):
-    """A robot that does jobs, and nothing else.
+    """A robot that does only jobs.
 
     Topics:
-        /robot/job_begun and /robot/job_done: each number from /worker/jobs (std_msgs/Int32).
+        /robot/job_begun and /robot/job_done: the call, and each number from /worker/jobs (std_msgs/Int32).
     """
 
     def __init__(self) -> None:
@@ -279,10 +287,10 @@ class Worker(Teller):
 
 
 class Driver(Node):
-    """Hears what is to be pumped, and says what came of it.
+    """Receives orders to call pump, and announces the outcomes.
 
     Attributes:
-        orders: What was ordered, by the number of the call.
+        orders: The orders by the number of the call.
     """
 
     def __init__(self, context: Context) -> None:
@@ -293,9 +301,10 @@ class Driver(Node):
         self.create_subscription(String, "/driver/go", self.take_order, 100)
 
     def wait_for_speakers(self, robots: Iterable[Node]) -> None:
-        """Wait until somebody is there to speak to all that listen, but not for long; then announce that we are there.
+        """Wait up to a second until each subscription has a publisher, then create this driver's publishers.
 
-        Who hears our first word may speak at once, and what is said before both ends know each other is lost.
+        A node that discovers our publishers may publish right away. Before both ends have discovered each other, such a
+        message would be lost.
         """
         ears = [ear for node in (self, *robots) for ear in node.subscriptions]
         end = monotonic() + PATIENCE_S
@@ -305,22 +314,22 @@ class Driver(Node):
         self.publisher = self.create_publisher(String, "/driver/pump", 100)
 
     def take_order(self, message: String) -> None:
-        """Note an order; one that is known already changes nothing."""
+        """Store an order. A known order has no effect."""
         number, _, order = message.data.partition(" ")
         self.orders.setdefault(int(number), order)
 
     def say(self, text: str) -> None:
-        """Announce something on /driver/pump."""
+        """Publish an announcement on /driver/pump."""
         self.latest = text
         self.say_again()
 
     def say_again(self) -> None:
-        """Announce the latest once more: on a busy machine a message may get lost until the next one comes."""
+        """Repeat the latest announcement: on a busy machine, a lost message may arrive only with the next one."""
         if self.latest and self.publisher is not None:
             self.publisher.publish(String(data=sign("/driver/pump", self.latest)))
 
     def carry_out(self, call: int, node: Teller, seconds: float) -> None:
-        """Call `pump` once."""
+        """Call `pump` once, and report its outcome and its changes."""
         if not callable(getattr(answer, "pump", None)):
             self.say("missing")
             return
@@ -346,12 +355,12 @@ class Driver(Node):
             self.tell_change(f"{call} {left}")
 
     def tell_change(self, text: str) -> None:
-        """Say on /driver/changed what a call has changed, or left."""
+        """Report a change on /driver/changed."""
         self.changes.publish(String(data=sign("/driver/changed", text)))
 
 
 def in_line_s() -> float:
-    """How long (s) this thread was ready to run and got no processor; 0 where the system does not tell."""
+    """Return how long (s) this thread has been ready to run without a processor; 0 if the system doesn't report it."""
     try:
         with open("/proc/thread-self/schedstat", encoding="ascii") as file:
             return int(file.read().split()[1]) / 1e9
@@ -360,16 +369,16 @@ def in_line_s() -> float:
 
 
 def taken_s() -> list[float]:
-    """How long (s) the host of a virtual machine has taken each processor away so far; [] if the system does not tell.
+    """Return how long (s) a virtual machine's host has taken each processor away; empty if that's unknown.
 
-    Steal time of proc_stat(5), the eighth number.
+    This is the steal time in proc_stat(5), the eighth number.
     """
     try:
         with open("/proc/stat", encoding="ascii") as file:
             rows = [line.split() for line in file if line.startswith("cpu")]
         return [
             int(row[8]) / os.sysconf("SC_CLK_TCK") for row in rows[1:]
-        ]  # the first one is the sum of the others
+        ]  # the first row is the sum of the others
     except (OSError, IndexError, ValueError):
         return []
 

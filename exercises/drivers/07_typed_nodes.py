@@ -1,9 +1,9 @@
-"""Runs the answer's RobotReport, and on a word from the bench uses it correctly and incorrectly, as its callers will.
+"""Run the answer's RobotReport, and use it as its callers will, correctly and incorrectly, when the judge orders it.
 
 Topics:
-    /driver/go (std_msgs/String), heard: an order, with a call on each line, such as "send_battery(42)".
-    /driver/report (std_msgs/String), published after them: one for each call, "send_battery(42)<tab>returned" or
-        "send_battery('full')<tab>TypeError: ...", signed.
+    /driver/go (std_msgs/String), subscription: an order with one call per line, such as "send_battery(42)".
+    /driver/report (std_msgs/String), publisher: after all of an order's calls, one signed report per call, such as
+        "send_battery(42)<tab>returned" or "send_battery('full')<tab>TypeError: ...".
 """
 
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import Float32, Float64, String
 
-sign: Callable[[str, str], str] = globals()["sign"]  # the host has put it here: it signs a report for a topic
+sign: Callable[[str, str], str] = globals()["sign"]  # provided by the host; signs a report for a topic
 
 REPORT = "/driver/report"
 LONGEST_ERROR = 200  # characters
@@ -24,7 +24,7 @@ NAMES = {"Float32": Float32, "Float64": Float64, "Path": Path, "String": String}
 
 
 class Driver(Node):
-    """Makes all calls when it is told to, and reports what became of them."""
+    """Makes the calls of each order, and reports their outcomes."""
 
     def __init__(self, robot: Any) -> None:
         super().__init__("driver")
@@ -33,13 +33,13 @@ class Driver(Node):
         self.create_subscription(String, "/driver/go", self.on_go, 10)
 
     def on_go(self, order: String) -> None:
-        """Make every call, whatever the others did."""
+        """Make every call of an order, even if others raise an error, and then publish the reports."""
         lines = [f"{call}\t{self.outcome(call)}" for call in order.data.splitlines()]
-        for line in lines:  # one message each: a recording does not keep the end of a long text
+        for line in lines:  # one message each, because a recording truncates long texts
             self.report_publisher.publish(String(data=sign(REPORT, line)))
 
     def outcome(self, call: str) -> str:
-        """What became of a call, on one line."""
+        """Make a call, and return its outcome on one line."""
         try:
             eval(f"robot.{call}", {"robot": self.robot, **NAMES})
         except Exception as error:
@@ -48,7 +48,7 @@ class Driver(Node):
 
 
 def main() -> None:
-    """Spin the robot and its driver until Ctrl-C."""
+    """Spin the robot and its driver until Ctrl-C. Raise AttributeError if the answer has no class RobotReport."""
     if not hasattr(answer, "RobotReport"):
         raise AttributeError("your program has no class RobotReport")
     rclpy.init()

@@ -1,6 +1,7 @@
-"""The guard's legs and arms: they walk when the guard logs a round, and fold after the program has printed that.
+"""The guard's legs and arms, which walk when the guard logs a round, and fold if the guard has parked its arms.
 
-The workbook runs it next to exercise 01's program, ends it after that, and publishes the program's last output for it.
+The workbook runs this program next to exercise 01's program and ends it later than that one. It also publishes the
+output of exercise 01's program after Ctrl-C.
 """
 
 import rclpy
@@ -15,7 +16,7 @@ from std_msgs.msg import Float32MultiArray, String
 GUARD = "night_guard"
 PARKED = "arms parked"
 SPEED_MPS = 0.5
-SHOWN_S = 1.5  # so long it stays on the graph after its last pose, for those who watch
+SHOWN_S = 1.5  # how long the node stays on the graph after its last pose, so that the pose is visible
 FOLDED = [0.0, 0.0, 0.35, -2.2, 0.35, -2.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 IN_MID_STEP = [0.0, 0.0, 2.6, 0.4, 2.6, 0.4, 0.7, 1.1, 0.3, 0.0, 0.0, 0.0]
 LAST_WORDS_QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -25,15 +26,15 @@ class GuardBody(Node):
     """Moves the body of the night guard.
 
     Subscriptions:
-        /rosout (rcl_interfaces/Log): the logs of all nodes. One of the guard's about a round makes it walk.
+        /rosout (rcl_interfaces/Log): the log lines of all nodes. The guard's lines about a round make the body walk.
         /driver/last_words (std_msgs/String): the output of the guard's program from Ctrl-C to its end.
 
     Topics:
         /robot/cmd_vel (geometry_msgs/Twist): one step forward for each round.
-        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad), after the end of the guard's program.
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad), after the guard's program has ended.
 
     Attributes:
-        done: Completed some time after the last pose.
+        done: A future that completes 1.5 s after the last pose.
     """
 
     def __init__(self) -> None:
@@ -45,7 +46,7 @@ class GuardBody(Node):
         self.create_subscription(String, "/driver/last_words", self.on_last_words, LAST_WORDS_QOS)
 
     def on_log(self, log: Log) -> None:
-        """Walk on, for each round."""
+        """Take a step if the guard logs a round."""
         if log.name == GUARD and "round" in log.msg:
             step = Twist()
             step.linear.x = SPEED_MPS
@@ -59,7 +60,7 @@ class GuardBody(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run the body until its last pose or Ctrl-C, then leave with exit code 0."""
+    """Run the body until 1.5 s after its last pose, or until Ctrl-C. Then exit with code 0."""
     rclpy.init(args=args)
     body = GuardBody()
     try:

@@ -1,4 +1,4 @@
-"""The battery sensor with the bad cable: exercise 04's monitor subscribes to it."""
+"""The battery sensor with a bad cable. Exercise 04's monitor subscribes to it."""
 
 import math
 import random
@@ -11,15 +11,15 @@ from std_msgs.msg import Float32
 PERIOD_S = 0.5
 BAD = (-3.0, 250.0, math.nan, math.inf)
 BAD_SHARE, OTHER_SHARE = 0.15, 0.2
-FULL, LOW, STEP = 96.0, 6.0, 0.8  # percent; from one reading to the next, it loses a step
+FULL, LOW, STEP = 96.0, 6.0, 0.8  # percent; the charge drops by STEP with each reading
 
 
 class BatterySensor(Node):
-    """Publishes readings, most of them good, and pauses while another node publishes in its place.
+    """Publishes readings, most of them good, and pauses while another node publishes on its topic.
 
     Topics:
-        /robot/battery (std_msgs/Float32): charge in percent, twice a second; sometimes one that no battery can have.
-        /other_robot/battery (std_msgs/Float32): now and then, a charge of another robot.
+        /robot/battery (std_msgs/Float32): charge in percent, twice a second; sometimes an impossible value.
+        /other_robot/battery (std_msgs/Float32): occasionally, another robot's charge.
     """
 
     def __init__(self, seed: int = 4) -> None:
@@ -31,7 +31,7 @@ class BatterySensor(Node):
         self.create_timer(PERIOD_S, self.measure)
 
     def measure(self) -> None:
-        """Publish the next reading, unless another sensor is on the topic."""
+        """Publish the next reading, unless another node publishes on the topic."""
         if self.count_publishers("/robot/battery") > 1:
             return
         self.charge = self.charge - STEP if self.charge > LOW else FULL

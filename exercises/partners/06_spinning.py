@@ -1,4 +1,4 @@
-"""Somebody who uses `pump`: every four seconds, exercise 06's driver is asked for a call of two seconds."""
+"""A node that has exercise 06's driver call `pump` for two seconds, every four seconds."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -6,15 +6,15 @@ from rclpy.node import Node
 from std_msgs.msg import Int32, String
 
 PERIOD_S, PUMP_S = 4.0, 2.0
-FIRST = 101  # numbers that nobody else gives to a call
+FIRST = 101  # the first number of a call; other nodes use smaller numbers
 WORDS = 3
 
 
 class PumpUser(Node):
-    """Orders one call of pump after the other, and pauses while another node gives orders.
+    """Orders one call of pump after another, and pauses while another node gives orders.
 
     Topics:
-        /driver/go (std_msgs/String): "101 robot 2.0", the number of a call and what to pump for how long (s).
+        /driver/go (std_msgs/String): "101 robot 2.0": the call's number, the node to pump, and for how long (s).
         /robot/words (std_msgs/Int32): three numbers, which the robot handles in the next call.
     """
 
@@ -26,7 +26,7 @@ class PumpUser(Node):
         self.create_timer(PERIOD_S, self.order)
 
     def order(self) -> None:
-        """Order the next call, once the driver listens and unless another node gives orders."""
+        """Order the next call, unless the driver doesn't subscribe yet or another node gives orders."""
         if self.count_publishers("/driver/go") > 1 or self.go_publisher.get_subscription_count() == 0:
             return
         for word in range(WORDS):

@@ -1,4 +1,4 @@
-"""A guest who hands things to the robot: every four seconds, exercise 10's program is asked for a plan."""
+"""A guest who hands things to the robot. Every four seconds, the guest requests a plan from exercise 10's program."""
 
 import itertools
 
@@ -12,10 +12,10 @@ DISTANCES_M = (0.7, 0.25, 0.55)
 
 
 class Guest(Node):
-    """Asks for one plan after the other, and pauses while another node asks.
+    """Requests one plan after another, and pauses while another node requests plans.
 
     Topics:
-        /robot/plan_request (std_msgs/Float32): distance from the shoulder to the hand, in m.
+        /robot/plan_request (std_msgs/Float32): the distance from the shoulder to the hand (m).
     """
 
     def __init__(self) -> None:
@@ -25,13 +25,13 @@ class Guest(Node):
         self.create_timer(PERIOD_S, self.ask)
 
     def ask(self) -> None:
-        """Ask for a plan, unless another node does."""
+        """Request a plan, unless another node requests plans."""
         if self.count_publishers("/robot/plan_request") == 1:
             self.publisher.publish(Float32(data=next(self.distances)))
 
 
 def main(args: list[str] | None = None) -> None:
-    """Ask until Ctrl-C or SIGTERM, then exit with code 0."""
+    """Request plans until Ctrl-C or SIGTERM, then exit with code 0."""
     rclpy.init(args=args)
     try:
         rclpy.spin(Guest())

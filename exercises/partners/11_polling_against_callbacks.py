@@ -1,4 +1,4 @@
-"""The skin of the hand in exercise 11: it numbers each touch, and publishes several in one moment now and then."""
+"""The skin of the hand in exercise 11, which numbers its touches, and sometimes publishes several at the same time."""
 
 import random
 
@@ -8,11 +8,11 @@ from rclpy.node import Node
 from std_msgs.msg import Int32
 
 PERIOD_S = 0.8
-TOUCHES = (0, 1, 1, 1, 3)  # in one moment
+TOUCHES = (0, 1, 1, 1, 3)  # at the same moment
 
 
 class Skin(Node):
-    """Publishes touches, and pauses while another node publishes in its place.
+    """Publishes touches, and pauses while another node publishes on its topic.
 
     Topics:
         /robot/touch (std_msgs/Int32): the number of the touch.
@@ -21,12 +21,12 @@ class Skin(Node):
     def __init__(self, seed: int = 11) -> None:
         super().__init__("skin")
         self.dice = random.Random(seed)
-        self.number = 40  # the skin has counted since long before
+        self.number = 40  # the skin has been counting for a long time
         self.publisher = self.create_publisher(Int32, "/robot/touch", 100)
         self.create_timer(PERIOD_S, self.feel)
 
     def feel(self) -> None:
-        """Publish the touches of this moment, unless another hand is on the topic."""
+        """Publish zero, one, or three touches, unless another node publishes on the topic."""
         if self.count_publishers("/robot/touch") > 1:
             return
         for _ in range(self.dice.choice(TOUCHES)):

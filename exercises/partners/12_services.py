@@ -1,4 +1,4 @@
-"""The robot that tests itself in exercise 12: it moves its joints, and responds right away, late, or never."""
+"""The robot that tests itself in exercise 12. It moves its joints, and responds right away, late, or never."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -17,7 +17,7 @@ class SelfTestingRobot(SelfTestServer):
     """Moves each joint a little and back whenever its self-test is called.
 
     Topics:
-        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad), at the begin and at the end of a test.
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad), when a test begins and when it ends.
     """
 
     def __init__(self) -> None:
@@ -26,7 +26,7 @@ class SelfTestingRobot(SelfTestServer):
         self.publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
 
     async def on_call(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-        """Move, and respond as the pattern demands."""
+        """Move, and respond as the pattern says."""
         self.publisher.publish(Float32MultiArray(data=TESTING))
         self.passed(MOVED_S).add_done_callback(
             lambda _: self.publisher.publish(Float32MultiArray(data=AT_REST))

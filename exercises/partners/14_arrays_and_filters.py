@@ -1,4 +1,4 @@
-"""The robot with noisy encoders: exercise 14's program filters its joint angles."""
+"""The robot with noisy encoders. Exercise 14's program filters its joint angles."""
 
 from lesson_nodes.noisy_joints import main
 

@@ -1,4 +1,4 @@
-"""The camera of exercise 15, with images of 160 by 120 pixels: a ball rolls across the desk."""
+"""The camera of exercise 15, with images of 160 × 120 pixels. A ball rolls across the desk."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException

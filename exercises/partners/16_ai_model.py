@@ -1,4 +1,4 @@
-"""The camera and the IMU of exercise 16's robot: it watches toys on a desk, is pushed twice, and then falls."""
+"""The camera and the IMU of exercise 16's robot, which watches toys on a desk, is pushed twice, and then falls."""
 
 import math
 import random
@@ -20,17 +20,17 @@ CUPS = (Cup((1.08, -0.12)),)
 PLATES = (Plate((1.12, -0.5)),)
 GRAVITY = 9.81
 NOISE = 0.15  # standard deviation of an acceleration (m/s²)
-PUSHES = {200: 70.0, 450: 80.0}  # samples after the start: how far it is tilted (°)
+PUSHES = {200: 70.0, 450: 80.0}  # sample number: the robot's tilt (°) from then on
 PUSHED_SAMPLES = 8  # too few for a fall
 FALLS_AFTER, FALLEN_DEG = 750, 85.0
 
 
 class RobotSensors(Node):
-    """Publishes what the robot sees and how it is tilted. Once it has fallen, it stays down.
+    """Publishes the camera's images and the IMU's samples. Once the robot has fallen, it stays down.
 
     Topics:
-        /camera/image (sensor_msgs/Image): 30 images a second, bgr8.
-        /robot/imu (sensor_msgs/Imu): 50 samples a second; at rest, the acceleration points up.
+        /camera/image (sensor_msgs/Image): 30 images per second, bgr8.
+        /robot/imu (sensor_msgs/Imu): 50 samples per second. At rest, the acceleration points up.
     """
 
     def __init__(self, seed: int = 16) -> None:
@@ -44,7 +44,7 @@ class RobotSensors(Node):
         self.create_timer(IMU_PERIOD_S, self.publish_sample)
 
     def publish_image(self) -> None:
-        """Publish what the camera sees now: the ball rolls from side to side."""
+        """Publish the current image. The ball rolls from side to side."""
         seconds = self.images * CAMERA_PERIOD_S
         ball = on_desk(0.75, 0.38 * math.sin(1.2 * seconds))
         picture = self.camera.picture(Scene(ball, boxes=BRICKS, cups=CUPS, plates=PLATES), self.images)
@@ -56,14 +56,14 @@ class RobotSensors(Node):
         self.images += 1
 
     def tilt_deg(self) -> float:
-        """How far the robot is tilted to its left at the next sample (°)."""
+        """Return how far the robot is tilted to its left at the next sample (°)."""
         if self.samples >= FALLS_AFTER:
             return FALLEN_DEG
         pushes = (deg for first, deg in PUSHES.items() if 0 <= self.samples - first < PUSHED_SAMPLES)
         return next(pushes, 0.0)
 
     def publish_sample(self) -> None:
-        """Publish the acceleration now."""
+        """Publish the current acceleration."""
         tilt = math.radians(self.tilt_deg())
         sample = Imu()
         sample.header.stamp = self.get_clock().now().to_msg()

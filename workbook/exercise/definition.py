@@ -30,7 +30,7 @@ OWN_CRITERIA = "WORKBOOK_CRITERIA"
 """The variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside the course."""
 
 FIRST_SEED = 0
-"""The script's seed until a run draws its own, so that the script's topics and services are known."""
+"""The script's seed until a run draws another one. It makes the script's topics and services known."""
 
 
 class BrokenCriteria(RuntimeError):

@@ -1,6 +1,6 @@
-"""Start an answer before importing the judge: each takes a third of a second, and this way they overlap.
+"""Start an answer before importing the judge. Each takes a third of a second, and this way, the two overlap.
 
-This module imports nothing that needs ROS, so that it can run first.
+This module imports nothing that needs ROS, so it can run first.
 """
 
 from pathlib import Path

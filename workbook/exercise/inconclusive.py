@@ -14,9 +14,9 @@ from workbook.recording.plan import Plan
 from workbook.recording.recording import Recording
 
 HELD_UP_SHARE = 0.25
-"""As a share of the shortest judged period: half of the extra gap that fails a rate."""
+"""The longest harmless delay, as a share of a period: half of the extra gap that makes a rate fail."""
 LEAST_HELD_UP_S = 0.1
-"""A shorter delay of the judge is usual on any machine, and changes no verdict."""
+"""Shorter delays (s) of the judge are usual on any machine, and change no verdict."""
 RUN_QUEUE_SHARE = 0.1
 """The share of the watch that a program may spend in the run queue, ready but without a processor."""
 RUN_QUEUE_SHARE_ABOUT_TIME = 0.05
@@ -37,7 +37,10 @@ FLOODS = frozenset({"rate.without-a-pause", "rate.grows"})
 BUSY_MACHINE = ".busy-machine"
 """The suffix of causes that a busy machine alone may produce. Exercises use it where they judge milliseconds."""
 WITH_THE_NEXT = 1.25
-"""The number of periods within which a lost message arrives: with the next one, which may itself be late."""
+"""The number of periods within which a lost message arrives.
+
+DDS delivers it with the next message, which may also be late.
+"""
 
 
 @dataclass(frozen=True)

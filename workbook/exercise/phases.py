@@ -106,16 +106,16 @@ class JudgingPhase(Protocol):
 
 @dataclass(frozen=True)
 class SimulatedTime:
-    """A plain start, after which the program is switched to simulated time."""
+    """A normal run of the program, which is switched to simulated time."""
 
     case: JudgingRequest
 
     def watched(self) -> Watched:
-        """Return the program with the exercise's plan, on simulated time."""
+        """Return the program, the exercise's plan, and simulated time as the clock."""
         return self.case.spec, self.case.exercise.plan, "simulated"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
-        """Judge on simulated time, if that proves anything."""
+        """Judge the program in simulated time. If that proves nothing, return the wall clock as the next phase."""
         case = self.case
         judgement = case.observed(watch)
         if needs_wall_clock(case.exercise, case.answer, judgement):
@@ -131,17 +131,20 @@ class SimulatedTime:
 
 @dataclass(frozen=True)
 class WallClock:
-    """A plain start that is judged in real time. `on_simulated`: the earlier judgment on simulated time, if any."""
+    """A normal run of the program, judged in real time.
+
+    `on_simulated`: the earlier judgment in simulated time, if any.
+    """
 
     case: JudgingRequest
     on_simulated: Judgement | None = None
 
     def watched(self) -> Watched:
-        """Return the program in real time, for long enough to repeat its behavior on simulated time."""
+        """Return the program and a plan for real time, long enough to repeat its behavior in simulated time."""
         return self.case.spec, plan_on_wall_clock(self.case.exercise, self.on_simulated), "wall"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
-        """Judge in real time."""
+        """Judge the program in real time."""
         case = self.case
         judgement = case.ended(watch, case.observed(watch))
         proved = None if is_distrusted(case.answer) else self.on_simulated
@@ -150,17 +153,17 @@ class WallClock:
 
 @dataclass(frozen=True)
 class SecondStart:
-    """Another plain start, in real time: the program must behave as it did on simulated time."""
+    """A second run of the program, in real time. The program must behave as it did in simulated time."""
 
     case: JudgingRequest
     on_simulated: Judgement
 
     def watched(self) -> Watched:
-        """Return the program in real time, for eight seconds or as long as the script takes."""
+        """Return the program and a plan for real time, which lasts eight seconds or as long as the script takes."""
         return self.case.spec, plan_of_second_start(self.case.exercise, self.on_simulated), "wall"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
-        """Compare both starts. A second start that is cut short proves nothing."""
+        """Compare the two runs. If the second one is cut short, only the first one counts."""
         case = self.case
         on_wall = replace(case.observed(watch, case.cancel_soak), watched_real_life=True)
         if case.cancel_soak():
@@ -170,20 +173,23 @@ class SecondStart:
 
 @dataclass(frozen=True)
 class FieldChecks:
-    """A short start with field checks on. Their messages are added to the recording's notes."""
+    """A short run of the program with field checks enabled. Their messages are added to the recording's notes."""
 
     case: JudgingRequest
     judgement: Judgement
 
     def watched(self) -> Watched:
-        """Return the program with field checks on, for its first messages, on the judgment's clock."""
+        """Return the program with field checks enabled, a plan for its first messages, and the judgment's clock."""
         plan = self.case.exercise.plan
         seconds = max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period)
         plan = replace(plan, simulated_seconds=seconds, wall_seconds=seconds)
         return replace(self.case.spec, check_fields=True), plan, self._recording.clock
 
     def follow(self, watch: Watch) -> Judgement:
-        """Judge the recording again, with the note. That doesn't change whether the judgment is conclusive."""
+        """Judge the recording again, this time with the field checks' messages in its notes.
+
+        This doesn't change whether the judgment is conclusive.
+        """
         process = watch.observe(never).process
         if process.ended_by is not None:
             process = watch.finish(self._recording).process

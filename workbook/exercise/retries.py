@@ -154,7 +154,7 @@ def _of_inconclusive(tries: Sequence[Judgement]) -> Counting:
 
 
 def _published(judgement: Judgement) -> float:
-    """Return the points for everything except the program's end."""
+    """Return the points, not counting those for how the program ends."""
     return round(sum(one.points for one in judgement.criteria if not one.about_end), 6)
 
 

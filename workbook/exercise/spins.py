@@ -16,7 +16,7 @@ CREATES = frozenset(
 )
 RATE, SLEEP = "create_rate", "sleep"
 MANY_THREADS = "MultiThreadedExecutor"
-"""Its other threads serve a rate's timer while a callback waits for the rate."""
+"""The executor whose other threads run a rate's timer while a callback waits for the rate."""
 OTHER_THREADS = frozenset(
     {MANY_THREADS, "Thread", "ThreadPoolExecutor", "run_in_executor", "to_thread", "Process"}
 )
@@ -36,9 +36,9 @@ def spins_in(text: str) -> tuple[SpinSeen, ...]:
 
 
 def spins_in_a_callback(text: str) -> bool:
-    """Return whether simulated time would prove nothing.
+    """Return whether a callback spins, in which case simulated time would prove nothing.
 
-    It waits for the program to become idle, which never happens if a callback spins.
+    Simulated time waits for the program to become idle, which never happens if a callback spins.
     """
     return any(one.callback and not one.waits for one in spins_in(text))
 

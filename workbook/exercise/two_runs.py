@@ -21,7 +21,10 @@ REAL_LIFE_S = 8.0
 ENDS_EARLY_S = 1.5
 """A program that ends this soon (s) in real time hasn't shown how it behaves there."""
 WORKED_PERIODS = 3
-"""In longest judged periods of simulated time. A program that ended before that also ends on the wall clock's watch."""
+"""How many of its longest judged periods a program must run in simulated time before its end counts.
+
+A program that ended earlier also ends while it's watched on the wall clock.
+"""
 STOPPED_PERIODS = 2.5
 """A topic that is silent for this many of its periods has stopped."""
 MOST_WALL_S = 26.0
@@ -197,10 +200,11 @@ def _is_any_undecided(exercise: Exercise, recording: Recording) -> bool:
 def _is_final(recording: Recording, result: CriterionResult) -> bool:
     """Return whether simulated time decides this result.
 
-    It decides the pace of a topic that follows the clock.
+    It must be about the pace of a topic that follows simulated time.
 
-    At a fixed pace of that clock, a callback that sleeps briefly would be late by many times that duration. So a result
-    about time is final only in lockstep. But if a topic stops while others go on, a short delay isn't the reason.
+    If simulated time runs at a fixed pace instead of in lockstep, even a callback that sleeps briefly is late by many
+    times that duration. So a result about time is final only in lockstep. But if a topic stops while others go on, a
+    short delay isn't the reason.
     """
     return (recording.in_lockstep or not result.about_time) and recording.following.get(result.pace_of, False)
 

@@ -165,7 +165,7 @@ def digest() -> str:
 
 
 def read_stamp() -> dict[str, Any]:
-    """Load the stamp of `.venv`; empty if the environment is missing, unfinished, broken, or was moved."""
+    """Load the stamp of `.venv`. It's empty if the environment is missing, unfinished, or broken, or was moved."""
     try:
         stamp = json.loads((VENV / STAMP).read_text())
     except (OSError, ValueError):
@@ -175,7 +175,10 @@ def read_stamp() -> dict[str, Any]:
 
 
 def clean_environ() -> dict[str, str]:
-    """Return environment variables for installers: without a sourced ROS's leftovers, and with a quiet pip."""
+    """Return environment variables for installers. Omit variables that a sourced ROS left behind.
+
+    Two variables turn off notices from pip.
+    """
     environ = {name: value for name, value in os.environ.items() if name not in LEFTOVERS}
     environ["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
     environ["PIP_ROOT_USER_ACTION"] = "ignore"
@@ -198,7 +201,7 @@ def run(command: list[Any], what: str, temporary: str | None = None) -> None:
 
 
 def outside() -> str:
-    """Return the path of this Python.
+    """Return the path of the Python that runs this module.
 
     If `.venv` is active in the terminal, return the Python that created `.venv` instead.
     """
@@ -342,7 +345,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 class OneAtATime:
-    """A lock between `make` commands.
+    """A lock that a `make` command holds while it builds a folder.
 
     Two commands must not build the same folder at the same time, so the second waits for the first.
     """

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 Status = Literal["ok", "note", "fix"]
 PING_PUBLISHER = Path(__file__).with_name("ping_publisher.py")
 PING_LIMIT_S = 40.0
-"""An upper bound: with a cold disk and a busy processor, a program takes many seconds to start."""
+"""The longest wait (s) for a ping. With a cold disk and a busy processor, a program takes many seconds to start."""
 KERNEL_LIMIT_S = 50.0
-"""An upper bound, too; a kernel also imports IPython."""
+"""The longest wait (s) for a kernel. It also has to import IPython."""
 KERNEL_TRIES = 3
 PORT_TAKEN = "Address already in use"
 GIB = 2**30
@@ -35,7 +35,10 @@ GIB = 2**30
 
 @dataclass(frozen=True)
 class HealthFinding:
-    """One line of the report. A `fix` needs to be fixed; a `note` is worth knowing."""
+    """One line of the report.
+
+    The status "fix" means a problem that needs fixing. A "note" is only worth knowing.
+    """
 
     status: Status
     title: str
@@ -69,14 +72,14 @@ def check_python() -> HealthFinding:
 
 
 def leftovers(environ: Mapping[str, str]) -> list[str]:
-    """Return the names of variables left by a sourced ROS or another environment, except our own."""
+    """Return the names of variables that a sourced ROS or another environment left behind."""
     from workbook.ros.environment import is_leftover
 
     return sorted(name for name in environ if is_leftover(name))
 
 
 def check_leftovers(names: list[str]) -> HealthFinding:
-    """Report variables that a sourced ROS left in the shell. Our own processes drop them."""
+    """Report variables that a sourced ROS left behind in the shell. Our own processes drop them."""
     from workbook.ros.environment import uses_wheels
 
     if not names:
@@ -115,7 +118,7 @@ def check_rclpy() -> HealthFinding:
 
 
 def check_route(rclpy_folder: Path, system: str) -> HealthFinding:
-    """Report where ROS comes from if not from the wheels, and how that installation differs.
+    """Report where a ROS comes from that isn't from the wheels, and how that installation differs.
 
     `system` is a value of `platform.system()`.
     """
@@ -282,9 +285,10 @@ f"domain {os.environ.get('ROS_DOMAIN_ID')} magics {'workbook.magics' in get_ipyt
 
 
 def _start_kernel() -> tuple["KernelManager", "BlockingKernelClient"]:
-    """Start a kernel, and another one if it finds a port taken. Raises RuntimeError with the kernel's last words.
+    """Start a kernel. If one of its ports is taken, try again. Raises RuntimeError with the kernel's last output.
 
-    jupyter_client chooses free ports, but the kernel opens them a second later. Another program may be faster.
+    jupyter_client chooses free ports, but the kernel opens them only a second later. In the meantime, another program
+    may take them.
     """
     from jupyter_client import manager
 

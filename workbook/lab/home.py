@@ -31,7 +31,7 @@ PARTS = (
     (14, "Part three", "Python's world"),
     (20, "Part four", "A body"),
 )
-"""The number of the first lesson, the name, and the title of each part of the course."""
+"""For each part of the course: the number of its first lesson, its name, and its title."""
 MOST_MISSING = 4
 """If at most this many cells are left to read in a lesson, the page links to them."""
 
@@ -175,7 +175,7 @@ class PredictionsHandler(WorkbookHandler):
 
     @web.authenticated
     async def get(self) -> None:
-        """Send the letters, by prediction name."""
+        """Send the letters of the choices and of the outcomes, each by prediction name."""
         progress = all_progress(self.desk().answers).get(
             self.get_query_argument("lesson", ""), LessonProgress()
         )
@@ -188,7 +188,7 @@ class PredictionsHandler(WorkbookHandler):
 
 
 class TourHandler(WorkbookHandler):
-    """Store and report whether the student has seen the tour."""
+    """Handles requests to store or report whether the student has seen the tour."""
 
     @web.authenticated
     async def get(self) -> None:
@@ -197,7 +197,7 @@ class TourHandler(WorkbookHandler):
 
     @web.authenticated
     async def post(self) -> None:
-        """Store that the student has seen the tour."""
+        """Record that the student has seen the tour."""
         file = self.desk().folder / TOUR_SEEN
         file.parent.mkdir(parents=True, exist_ok=True)
         file.touch()

@@ -8,7 +8,10 @@ from typing import Any
 
 MAGICS = "workbook.magics"
 STATE = Path(".state", "delivered.json")
-"""Marks the student's copy, next to `notebooks/`. Defined again here, because importing `work_folder` takes time."""
+"""A file that marks a folder as the student's copy. It's next to `notebooks/`.
+
+The name is defined again here, because importing `work_folder` takes time.
+"""
 _START = "from workbook.lab.kernel import start as _start; _start(get_ipython()); del _start"
 
 RESTART = (

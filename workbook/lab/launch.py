@@ -127,7 +127,10 @@ def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_us
 
 
 def lab_environment(environ: Mapping[str, str]) -> dict[str, str]:
-    """Return environment variables for JupyterLab and its kernels. With the wheels, drop a sourced ROS's leftovers."""
+    """Return environment variables for JupyterLab and its kernels.
+
+    If ROS comes from the wheels, drop the variables that a sourced ROS left behind.
+    """
     clean = {name: value for name, value in environ.items() if not (uses_wheels() and is_leftover(name))}
     clean.pop("PYTHONDONTWRITEBYTECODE", None)
     clean["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), clean.get("PATH", os.defpath)])

@@ -17,7 +17,10 @@ from pathlib import Path
 
 FOLDERS = ("notebooks", "exercises")
 STATE = Path(".state", "delivered.json")
-"""The versions that the student was given. If a notebook matches none of them, the student has changed it."""
+"""The file that lists the versions delivered to the student.
+
+If a notebook matches none of them, the student has changed it.
+"""
 BACKUPS = Path(".state", "backups")
 ANSWERS = "answers"
 

@@ -16,13 +16,16 @@ from workbook.ros.domains import dds_port_range
 
 NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 PATIENCE_S = 10.0
-"""The longest wait (s) for participants. Programs announce themselves every 3 s by default, and one may get lost."""
+"""The longest wait (s) for participants.
+
+Programs announce themselves every 3 s by default, and an announcement may get lost.
+"""
 _LOOK_EVERY_S = 1.0
 """While waiting, how often (s) we check whether a program is stopped."""
 _QUIET_S = 0.1
 """Discovery counts as complete when nothing new has appeared for this long (s)."""
 _EMPTY_S = 1.0
-"""The same time (s) if a participant hasn't named its nodes, or not the node of an endpoint. It may have none."""
+"""The same time (s) while a participant hasn't named its nodes, or an endpoint's node. It may have no nodes."""
 _POLL_S = 0.005
 _FIRST_PARTICIPANT_PORT = 10
 """Offset of participant 0 within the ports of a domain (DDS-RTPS specification, section 9.6.1)."""
@@ -69,7 +72,7 @@ def _participants(node: Node) -> set[bytes]:
 
 
 def _ports_here(domain_id: int) -> set[int]:
-    """Return the UDP ports of this machine's participants on the domain: each has one with an even number."""
+    """Return the even-numbered UDP port of each of this machine's participants on the domain."""
     ports = dds_port_range(domain_id)
     used = udp_ports_in_use() & set(ports)
     return {port for port in used if port - ports.start >= _FIRST_PARTICIPANT_PORT and port % 2 == 0}

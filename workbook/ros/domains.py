@@ -1,9 +1,9 @@
 """Lease ROS domains, so that no two processes lease the same one.
 
 A lease is an abstract Unix socket named after the domain. The kernel closes the socket when the process ends, however
-it ends, so no lease is left behind. It's a stream socket that never listens, because data sent to it would stay there
-as long as the lease. Domains 1 to 101 avoid Linux's ephemeral ports (UDP port = 7400 + 250 * domain + …, DDS-RTPS
-specification, section 9.6.1).
+it ends, so no lease is left behind. It's a stream socket that never listens, so nothing can be sent to it and stay in
+memory until the lease ends. Domains 1 to 101 avoid Linux's ephemeral ports (UDP port = 7400 + 250 * domain + …,
+DDS-RTPS specification, section 9.6.1).
 """
 
 import os
@@ -22,7 +22,10 @@ FIRST_DOMAIN = 1
 LAST_DOMAIN = 101
 """Domain 102's ports begin at 32900, which is in Linux's ephemeral range (from 32768)."""
 COOL_DOWN_S = 30.0
-"""The cool-down after a kill, well above the liveliness lease for which other participants remember a vanished one."""
+"""How long (s) a domain isn't leased again after a kill.
+
+This is much longer than the liveliness lease, after which other participants forget one that vanished.
+"""
 SOCKET_PREFIX = LEASE_PREFIX
 _private_prefix: str | None = None
 
@@ -103,7 +106,10 @@ class DomainLease:
 
 
 def lease_in_private() -> None:
-    """Use random names for this process's leases. It has its own network, and untrusted programs can see the names."""
+    """Use random names for this process's leases, because untrusted programs can see the names.
+
+    This is possible because the process has its own network.
+    """
     global _private_prefix
     _private_prefix = os.urandom(8).hex()
 

@@ -67,7 +67,10 @@ def uses_wheels() -> bool:
 
 
 def is_leftover(name: str) -> bool:
-    """Return whether a variable may come from a sourced ROS or another environment. Our processes drop it."""
+    """Return whether a variable may come from a sourced ROS or another environment.
+
+    Our processes drop such a variable.
+    """
     return name in _LEFTOVERS or name.startswith(_LEFTOVER_PREFIXES)
 
 
@@ -83,9 +86,10 @@ def library_path(environ: Mapping[str, str]) -> dict[str, str]:
 
 
 def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dict[str, str]:
-    """Return ROS variables for a process: loopback only, one domain, and plain log lines without time stamps.
+    """Return the ROS environment variables that restrict a process to loopback and one domain.
 
-    `check_fields` makes message classes reject values of a wrong type (off in ROS by default).
+    They also give plain log lines without timestamps. `check_fields` makes message classes reject values of the wrong
+    type, a check that ROS turns off by default.
     """
     settings = {
         "ROS_DOMAIN_ID": str(domain_id),
@@ -176,7 +180,7 @@ def prepare(
 
 
 def is_prepared(environ: Mapping[str, str] | None = None) -> bool:
-    """Return whether the environment (default: this process's) has the loopback profile."""
+    """Return whether an environment has the loopback profile. The default is this process's environment."""
     return (os.environ if environ is None else environ).get("FASTRTPS_DEFAULT_PROFILES_FILE") == str(
         LOOPBACK_PROFILE
     )

@@ -23,7 +23,7 @@ _LIBRARY = (f"{sysconfig.get_paths()['stdlib']}{os.sep}", "<frozen ")
 
 
 def callback_traceback(error: BaseException) -> TracebackType | None:
-    """Return the traceback of `error` from the first frame that isn't in rclpy or the workbook; None if all are."""
+    """Return the traceback of `error` from the first frame outside rclpy and the workbook; None if there is none."""
     trace = error.__traceback__
     while trace is not None and trace.tb_frame.f_code.co_filename.startswith(_INTERNAL):
         trace = trace.tb_next

@@ -22,7 +22,7 @@ SLICE_S = 0.1
 
 
 _OF_AN_INTERRUPT = "Unable to convert call argument"
-"""pybind11's message for an exception in a message class. Only an interrupt raises one there."""
+"""pybind11's message for an exception in a message class. In rclpy, only an Interrupt causes one."""
 
 
 def install() -> None:

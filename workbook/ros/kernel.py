@@ -7,9 +7,10 @@ from workbook.ros import exit_cleanup, interrupts, logs, notebook_registry
 
 
 def install(label: str | None = None) -> None:
-    """Set up a kernel: ordered logs, a working Interrupt, a clean exit, a domain that terminals find. Safe to repeat.
+    """Set up a kernel with ordered logs, a working Interrupt, a clean exit, and a domain that terminals can find.
 
-    Call `workbook.ros.environment.prepare` first, because this function imports rclpy.
+    It's safe to call this function again. Call `workbook.ros.environment.prepare` first, because this function imports
+    rclpy.
     """
     logs.install()
     interrupts.install()

@@ -20,7 +20,7 @@ HOLDER_PREFIX = "rclpy-workbook/holder/"
 MOST_NAMED = 4
 LONGEST_COMMAND = 60
 LONGEST_TIME = 86_400 * 365 * 100
-"""The largest valid time (s since 1970) in an announcement."""
+"""The largest valid time in an announcement, as a Unix timestamp in seconds."""
 
 NETLINK_SOCK_DIAG, SOCK_DIAG_BY_FAMILY, NLM_F_DUMP_REQUEST = 4, 20, 0x301
 NLMSG_ERROR, NLMSG_DONE = 2, 3
@@ -32,7 +32,7 @@ _PATIENCE_S = 2.0
 
 @dataclass(frozen=True, order=True)
 class Holder:
-    """The holder of a domain's lease. Unknown values are None or empty. `since`: in s since 1970."""
+    """The holder of a domain's lease. Unknown values are None or empty. `since`: a Unix timestamp in seconds."""
 
     domain_id: int
     user: int | None
@@ -42,7 +42,10 @@ class Holder:
 
 
 def announce_lease(domain_id: int) -> socket.socket | None:
-    """Announce that this process holds a domain, until the returned socket is closed; None if that's impossible."""
+    """Announce that this process holds a domain, until the returned socket is closed.
+
+    Return None if the announcement is impossible.
+    """
     announced = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # never listens
     try:
         announced.bind(f"\0{HOLDER_PREFIX}{domain_id}/{os.getpid()}/{int(time.time())}")
@@ -156,7 +159,10 @@ def _abstract_sockets() -> list[tuple[str, int | None]]:
 
 
 def _asked_of_the_kernel() -> Iterator[tuple[str, int | None]]:
-    """Yield each abstract socket's name and user (None before Linux 5.3). See sock_diag(7). May raise OSError."""
+    """Ask Linux for each abstract socket, and yield its name and user. May raise OSError.
+
+    The user is None before Linux 5.3. See sock_diag(7).
+    """
     request = struct.pack(
         "=BBHIIIQ", socket.AF_UNIX, 0, 0, _ALL_STATES, 0, UDIAG_SHOW_NAME | UDIAG_SHOW_UID, 0
     )

@@ -17,7 +17,7 @@ _COLORS = {10: "38;2;120;120;120", 30: "38;2;176;106;0", 40: "38;2;220;59;59", 5
 
 
 def format_line(severity: int, name: str, message: str) -> str:
-    """Format a log line without a time stamp. Levels other than INFO are colored."""
+    """Format a log line without a timestamp. Levels other than INFO are colored."""
     level = _LEVELS.get(severity, str(severity))
     if severity in _COLORS:
         level = f"\x1b[{_COLORS[severity]}m{level}\x1b[0m"

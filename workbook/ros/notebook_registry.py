@@ -14,7 +14,7 @@ from workbook.inside import proc
 
 SOCKET_PREFIX = "rclpy-workbook/kernel/"
 _LONGEST_NAME = 100
-"""In characters. Linux allows 107 bytes after the zero byte of an abstract socket's name."""
+"""The longest name, in characters. Linux allows 107 bytes after the zero byte of an abstract socket's name."""
 
 _announced: socket.socket | None = None
 
@@ -75,6 +75,6 @@ def open_notebooks(table: str = proc.UNIX_SOCKETS) -> list[OpenNotebook]:
 
 
 def join_line(domain_id: int | None = None) -> str:
-    """Return a shell command that connects a terminal with a ROS 2 installation to this notebook's domain."""
+    """Return a shell command that joins a terminal to this notebook's domain. The terminal needs ROS 2."""
     domain = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else domain_id
     return f"export ROS_DOMAIN_ID={domain} ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"

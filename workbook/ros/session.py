@@ -61,8 +61,8 @@ class StoppedInBetween(_ShownAsSentence, KeyboardInterrupt):
 def init(args: list[str] | None = None) -> None:
     """Start ROS in this notebook. Do nothing if it's already running.
 
-    In plain Python, without the kernel's setup, this function also sets the environment. So traffic stays on this
-    machine, and a killed process leaves nothing in `/dev/shm`.
+    In plain Python, without the kernel's setup, this function also sets the environment variables. They keep traffic on
+    this machine, and a killed process then leaves nothing in `/dev/shm`.
     """
     exit_cleanup.register()
     if get_default_context().ok():
@@ -171,7 +171,10 @@ class _SpinRun:
         self._was_reached = False
 
     def reached(self) -> bool:
-        """Return whether the condition has become true. Then it isn't evaluated again, because it might turn false."""
+        """Return whether the condition has become true.
+
+        Once it has, it isn't evaluated again, because it might turn false.
+        """
         if not self._was_reached and self.until is not None:
             until = self.until
             done = until.done() or until.cancelled() if isinstance(until, Future) else until()

@@ -326,7 +326,10 @@ def topics_seen(node: Node, hidden: bool = False) -> list[TopicSummary]:
 
 
 def topic_info(topic: str, *, hidden: bool = False, domain: int | None = None) -> TopicInfo:
-    """Return a topic's publishers and subscriptions, QoS, and incompatible pairs. Raise NotFound if it has neither."""
+    """Return a topic's publishers and subscriptions, QoS, and incompatible pairs.
+
+    Raise NotFound if the topic has neither a publisher nor a subscription.
+    """
     topic = absolute(topic)
     with discovery_node(domain) as node:
         wait_for_graph(node)

@@ -37,7 +37,7 @@ class Echo:
     times: tuple[float, ...]
     waited: float
     held: tuple[str, ...] = ()
-    """Nodes that publish it, and wait for /clock."""
+    """The topic's publishing nodes that wait for /clock."""
 
     def __str__(self) -> str:
         if not self.messages:
@@ -52,7 +52,10 @@ class Echo:
 
 @dataclass(frozen=True, repr=False)
 class Rate(Shown):
-    """A topic's rate: messages in `seconds` s, mean rate (Hz), and gaps (s) between messages; None without a gap."""
+    """A topic's rate: the number of messages in `seconds` s, the mean rate (Hz), and the shortest and longest gap (s).
+
+    The rate and the gaps are None if there is no gap.
+    """
 
     topic: str
     count: int
@@ -62,7 +65,7 @@ class Rate(Shown):
     longest_gap: float | None
     spread: float | None
     held: tuple[str, ...] = ()
-    """Nodes that publish it, and wait for /clock."""
+    """The topic's publishing nodes that wait for /clock."""
 
     def line(self) -> str:
         """Describe the mean rate, the number of messages, and the shortest and longest gap in a line."""
@@ -163,7 +166,7 @@ def _matching_qos(node: Node, topic: str) -> QoSProfile:
 
 @dataclass(frozen=True)
 class _Source:
-    """A topic, its domain, and the nodes to run in the meantime.
+    """A topic, its domain, and the nodes to run while messages are collected.
 
     None stands for this notebook's domain, and for all nodes made with `fresh`.
     """
@@ -174,7 +177,10 @@ class _Source:
 
 
 class _Heard(NamedTuple):
-    """A topic's type, its (moment, message) pairs in order, and, if there are none, the nodes that wait for /clock."""
+    """A topic's type and its (moment, message) pairs in order.
+
+    Without messages, also the topic's publishing nodes that wait for /clock.
+    """
 
     type: str
     arrivals: list[tuple[float, Any]]

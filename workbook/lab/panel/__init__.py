@@ -1,7 +1,8 @@
-"""Show the panel next to a notebook: the robot, the graph and the topics of the notebook's domain.
+"""Show the panel next to a notebook: the robot, the graph, and the topics of the notebook's domain.
 
 The `observer` process watches a domain. `server`, part of JupyterLab's server, starts it and forwards its reports.
-`workbook/lab/front_end/panel/` draws them. None of these subscribes to a topic: see `workbook.inside.tap`.
+`workbook/lab/front_end/panel/` draws them. None of these subscribes to a topic; `workbook.inside.tap` explains how they
+get the messages.
 """
 
 from typing import Any

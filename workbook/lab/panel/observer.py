@@ -22,9 +22,9 @@ from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line
 GRAPH_EVERY_S = 1.0
 NEWS_EVERY_S = 0.25
 ROBOT_EVERY_S = 0.05
-"""Between updates, the panel's robot moves smoothly at the screen's refresh rate."""
+"""The shortest time (s) between updates of the robot. In between, the panel moves it smoothly."""
 GIVES_WAY = 10
-"""Nice value, so that the observer doesn't distort a lesson's measurements."""
+"""The observer's nice value, so that it doesn't distort a lesson's measurements."""
 
 
 def say(kind: str, **values: object) -> None:
@@ -33,7 +33,7 @@ def say(kind: str, **values: object) -> None:
 
 
 class HiddenNode:
-    """A hidden node on a domain that queries only the graph."""
+    """A hidden node that only queries a domain's graph."""
 
     def __init__(self, domain_id: int) -> None:
         from rclpy.context import Context
@@ -101,7 +101,10 @@ class DomainWatch:
             self.fresh = self._robot_is_fresh = True
 
     def work(self, now: float) -> float:
-        """Send the panel all updates that are due. Return the time (s) until the next one unless a report arrives."""
+        """Send the panel all updates that are due.
+
+        Return the time (s) until the next one if no report arrives earlier.
+        """
         tasks = (
             ("graph", GRAPH_EVERY_S, self._look),
             ("news", NEWS_EVERY_S if self.fresh or self._is_heard() else GRAPH_EVERY_S, self._tell_news),

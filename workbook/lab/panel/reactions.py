@@ -9,7 +9,7 @@ from workbook.lab.panel.images import Thumbnail
 from workbook.pictures.joints import JOINT_NAMES, NEUTRAL, checked
 
 UPRIGHT_RAD = 0.06
-"""Smaller angles are the acceleration sensor's noise."""
+"""The smallest lean angle (rad) to show. Smaller angles are the acceleration sensor's noise."""
 GLANCE_RAD, REAR_GLANCE_RAD = 0.2, 0.6
 WORKING, BROKEN = ("operational", "ok"), ("error", "faulty", "no answer")
 """Status words for which the robot has a face."""
@@ -76,7 +76,7 @@ def _lean(message: Any) -> float:
 
 
 def _glance(rad: float, message: Any) -> float:
-    """Look to one side for two numbers, then to the other. The message's last word is the number."""
+    """Return `rad` for two numbers in a row, and `-rad` for the next two. The number is the message's last word."""
     words = message.data.split() if isinstance(message.data, str) else list(message.data)
     number = str(words[-1]) if words else ""
     return rad if number.isdecimal() and int(number) % 4 < 2 else -rad
@@ -127,9 +127,11 @@ REACTIONS = (
     Reaction("detections", "visualization_msgs/msg/MarkerArray", "boxes", _boxes),
     Reaction("image", "sensor_msgs/msg/Image", "image", Thumbnail),
 )
-"""The first matching row applies. While a topic is published, rows below its own can't have the same effect:
-`/monitor/battery` outranks `/robot/battery`. Messages on any other topic wake the robot, and the panel shows them as
-text below it."""
+"""The table of reactions. The first row that matches a message applies.
+
+While a topic is published, it suppresses the same effect of lower rows: `/monitor/battery` outranks `/robot/battery`.
+Messages on any other topic wake the robot, and the panel shows them as text below it.
+"""
 NOD, SHAKE = Reaction("", None, "nod", _once), Reaction("", None, "shake", _once)
 """The effect of a service's response, depending on its field `success`."""
 MOMENTS = ("beat", "touch", "alert", "thought", "nod", "shake")

@@ -8,13 +8,13 @@ from workbook.lab.panel.reactions import MOMENTS, is_outranked, reaction_to
 
 POSE = "a humanoid robot with twelve joints"
 WORDS_EVERY_S = 0.25
-"""A shorter period would leave no time to read the words."""
+"""The shortest time (s) between changes of the text, so that there is time to read it."""
 IMAGES_EVERY_S = 0.15
-"""An image is much larger than every other update."""
+"""The shortest time (s) between images, because an image is much larger than every other update."""
 WALKS_ON_AFTER_S = 1.0
 """The delay before a repeated command is sent again. In rig.js, the robot stops 1.5 s after the last command."""
 GRACE_S = 1.0
-"""A message may arrive before its publisher appears on the graph."""
+"""How long (s) an effect lasts without a publisher: a message may arrive before its publisher is on the graph."""
 PLUMBING = ("/driver/", "/clock")
 """Prefixes of the topics that connect an exercise's driver and its judge. They don't concern the robot."""
 _MOST_WORDS = 3
@@ -57,9 +57,9 @@ class PanelRobot:
         self._words[topic] = now, _in_words(reaction.effect, name, value, line)
 
     def look(self, nodes: bool, topics: Mapping[str, str], now: float) -> None:
-        """Update the graph. Without nodes, the robot sleeps; a topic's effects end with its publishers.
+        """Update the graph. Without nodes, the robot sleeps. A topic's effects end with its publishers.
 
-        `nodes`: whether there are any. `topics`: the names of topics with publishers, and their types.
+        `nodes`: whether there are any nodes. `topics`: the types of the topics that have publishers, by name.
         """
         self.awake = nodes or now - self._last < GRACE_S
         self._published = topics
@@ -71,7 +71,10 @@ class PanelRobot:
         }
 
     def news(self, now: float) -> dict[str, object]:
-        """Return the changes since the last call; empty if there are none. An effect that has ended is None."""
+        """Return the changes since the last call; empty if there are none.
+
+        An effect that has ended is reported as None.
+        """
         posed = self._lasting.get("pose")
         manner = f"posed by the last message on {posed[0]}" if posed else "awake" if self.awake else "asleep"
         state: dict[str, object] = {effect: value for effect, (_, _, value) in self._lasting.items()}
