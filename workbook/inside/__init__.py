@@ -1,10 +1,10 @@
-"""Start, confine, or end an answer's process, or run in it. `run.py` starts each file without loading the workbook.
+"""Scripts that start, confine, or end an answer's process, or run in it. `run.py` starts each without the workbook.
 
-These files import only the standard library and each other, and where `tests/architecture` allows it, rclpy or mypy.
-They never import the rest of the workbook, which may import all of them.
+These files import only the standard library and each other, and some of them rclpy or mypy, where `tests/architecture`
+allows it. They never import the rest of the workbook, which may import all of them.
 """
 
 from pathlib import Path
 
 RUN = Path(__file__).with_name("run.py")
-"""The script to start. Its arguments are the name of a file in this folder and that file's own arguments."""
+"""The script to start. Its arguments are the name of a file in this folder, and the arguments for that file."""

@@ -21,14 +21,14 @@ def clear_bounding_set() -> None:
 
 
 def drop_capabilities() -> None:
-    """Drop all capabilities that this thread still has, and disable set-user-ID programs. Raises OSError."""
+    """Drop all capabilities that this thread holds, and disable set-user-ID programs for it. Raises OSError."""
     libc.prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0)
     _hold(0)
     forbid_new_rights()
 
 
 def bounding_set() -> int:
-    """Return the most capabilities (one bit each) that a program executed by this process can gain."""
+    """Return the capabilities (one bit each) that a program executed by this process can gain at most."""
     within = (libc.prctl(PR_CAPBSET_READ, capability, 0, 0, 0) == 1 for capability in range(CAPABILITIES))
     return sum(1 << capability for capability, is_within in enumerate(within) if is_within)
 
@@ -36,7 +36,8 @@ def bounding_set() -> int:
 def hold_within(bounds: int) -> None:
     """Set this process's capabilities and its bounding set to `bounds`, and give up all others permanently.
 
-    Entering a user namespace grants all capabilities. Also disables set-user-ID programs. Raises OSError.
+    Call this after entering a user namespace, which grants all capabilities. It also disables set-user-ID programs.
+    Raises OSError.
     """
     for capability in range(CAPABILITIES):
         if not bounds & 1 << capability:
@@ -46,7 +47,7 @@ def hold_within(bounds: int) -> None:
 
 
 def _hold(capabilities: int) -> None:
-    """Set exactly these capabilities (one bit each), none of them inheritable."""
+    """Give this process exactly these capabilities (one bit each), none of them inheritable. Raises OSError."""
     header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
     low, high = capabilities & 0xFFFFFFFF, capabilities >> 32
     checked("capset", libc.capset(header, (ctypes.c_uint32 * 6)(low, low, 0, high, high, 0)))
@@ -58,8 +59,5 @@ def forbid_new_rights() -> None:
 
 
 def set_dumpable() -> None:
-    """Let other processes of the same user read this process, which a change of capabilities disables.
-
-    Raises OSError.
-    """
+    """Let the same user's processes inspect this process again after a change of capabilities. Raises OSError."""
     checked("dumpable", libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0))

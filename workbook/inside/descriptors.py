@@ -1,4 +1,4 @@
-"""Inspect processes' descriptors in /proc: how many there are, and how many of them epoll instances watch."""
+"""Count processes' open descriptors, and the descriptors that their epoll instances watch, using /proc."""
 
 import os
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ EPOLL = "anon_inode:[eventpoll]"
 
 
 def descriptors(pids: Iterable[int]) -> list[str]:
-    """Return these processes' open descriptors, as paths in /proc. A shared descriptor counts for each process."""
+    """Return these processes' open descriptors, as paths in /proc. A shared descriptor is listed for each process."""
     found: list[str] = []
     for pid in pids:
         folder = f"/proc/{pid}/fd/"

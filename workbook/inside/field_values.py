@@ -1,6 +1,6 @@
-"""Find the message field with a wrong value after rclpy failed on it.
+"""After an exception, find the message field that had a wrong value.
 
-The C part of a message reports neither the field nor the value. Both are still in the traceback's frames.
+The C part of a message reports neither the field nor the value, but both are still in the traceback's frames.
 """
 
 import re
@@ -12,10 +12,10 @@ from types import FrameType
 from typing import Any
 
 LONGEST_VALUE = 60
-"""The most characters of a value that are quoted."""
+"""The length in characters after which a quoted value is cut off."""
 MOST_ELEMENTS = 2_000
 RAISED_FOR_A_VALUE = (TypeError, ValueError, AttributeError, AssertionError, OverflowError, SystemError)
-"""The exceptions that messages raise. A wrong value in a float field raises none, so other fields are named first."""
+"""The exceptions that messages raise. A wrong value in a float field raises none, so we blame other fields first."""
 _MESSAGE_FILE = re.compile(r"/(?:msg|srv)/_\w+\.py$")
 _MESSAGE_MODULE = re.compile(r"^\w+\.(?:msg|srv)\._\w+$")
 _NO_FIELD = re.compile(r"^'(?P<message>\w+)' object has no attribute '(?P<name>\w+)'")
@@ -28,7 +28,7 @@ _TEXT = re.compile(r"^w?string(?:<\d+>)?$")
 def note_of(error: BaseException) -> str:
     """Return a line that says which wrong value was assigned to which field.
 
-    Return an empty string if no field is to blame, or if this search fails.
+    Return an empty string if no field is to blame, or if the field can't be found.
     """
     if not isinstance(error, RAISED_FOR_A_VALUE):
         return ""
@@ -39,7 +39,10 @@ def note_of(error: BaseException) -> str:
 
 
 def _fields_there_are(error: BaseException) -> str:
-    """List a message's fields if it lacks the requested one, the most similar names first."""
+    """Return a line that lists a message's fields, the most similar names first, if it lacks the requested one.
+
+    Otherwise, return an empty string.
+    """
     asked = _NO_FIELD.match(str(error)) if isinstance(error, AttributeError) else None
     kinds = [] if asked is None else _kinds(asked["message"], getattr(error, "obj", None))
     if asked is None or len(kinds) != 1:
@@ -53,9 +56,9 @@ def _fields_there_are(error: BaseException) -> str:
 
 
 def _kinds(name: str, owner: Any) -> list[Any]:
-    """Return the message classes of this name: `owner`'s class, or else all matches in loaded packages.
+    """Return the message classes with this name: `owner`'s class, or if it's None, all matches in loaded packages.
 
-    Python's AttributeError names the owner when an attribute is read, but not when it's set. The name alone may be
+    Python's AttributeError has the owner when an attribute is read, but not when it's set. The name alone may be
     ambiguous: rclpy has a class Time, too.
     """
     if owner is not None:
@@ -85,7 +88,7 @@ def _misfits_of(error: BaseException) -> Iterator[str]:
 
 
 def _given_to_a_message(frame: FrameType) -> Iterator[str]:
-    """Yield the values passed to a message's constructor or to a field's setter."""
+    """Yield a line for each wrong value that was passed to a message's constructor or to a field's setter."""
     local = frame.f_locals
     message = local.get("self")
     kinds = _fields(message)

@@ -1,4 +1,4 @@
-"""Receive requests and report results, for processes that fork others on request."""
+"""Receive requests and report results, in processes that fork others on request."""
 
 import json
 import os
@@ -11,7 +11,7 @@ REQUEST_BYTES = 100_000
 DESCRIPTORS = 4
 
 Request = tuple[dict[str, Any], list[int]]
-"""The requested action, and the descriptors that came with it. The first one is for the reply."""
+"""A request's content, and the descriptors that came with it. The first descriptor is for the reply."""
 
 
 def requests(
@@ -19,8 +19,8 @@ def requests(
 ) -> Iterator[Request]:
     """Yield the requests one by one until the other end of the channel is closed.
 
-    `ended` becomes readable when a child ends; then `look_after_ended` is called. The caller must close a request's
-    descriptors.
+    `ended`: a descriptor that becomes readable when a child ends; then `look_after_ended` is called. None if the caller
+    doesn't need that. The caller must close each request's descriptors.
     """
     while True:
         if ended is not None:
@@ -40,7 +40,7 @@ def requests(
 
 
 def report(status: int, text: str) -> bool:
-    """Write `text` to the process that made a request. Return False if that process is gone."""
+    """Write `text` to the descriptor `status` of the process that made a request. Return False if it's gone."""
     try:
         os.write(status, text.encode())
     except OSError:
@@ -49,6 +49,6 @@ def report(status: int, text: str) -> bool:
 
 
 def close_all(descriptors: Iterable[int]) -> None:
-    """Close descriptors."""
+    """Close these descriptors."""
     for descriptor in descriptors:
         os.close(descriptor)

@@ -4,17 +4,17 @@
 
 CHANNEL is the file descriptor of an inherited socket. It carries requests (see `Request`), each with two descriptors:
 one for reporting the program's status, and one for its output. Two more are optional: an open file with which the
-program joins its memory cgroup, and the program's input. It's an open file because a path would stay in the program's
-memory.
+program joins its memory cgroup, and the program's input. The first one is an open file, because a path would stay in
+the program's memory.
 
-For each request, this process forks a supervisor. It joins the namespaces that were created for the program, if there
-are any, and forks the program. There, the program is confined before any of the answer is read: it has no capabilities,
-and only its input and output are open. A program without its own namespaces dies with its supervisor, which dies with
-this process.
+For each request, this process forks a supervisor. The supervisor joins the namespaces that were created for the
+program, if there are any, and forks the program. In namespaces, the program gives up its capabilities before any of the
+answer is read. Of the descriptors, only its input and output stay open. A program without separate namespaces is killed
+when its supervisor ends, and the supervisor when this process ends.
 
 A request may also be for a branch (see `Branch`), which is another fork server inside a slot's sandbox.
 
-A program must not notice modules that were imported earlier, so an `ImportCache` keeps them.
+A program must not notice which modules this process has imported, so an `ImportCache` hides them.
 """
 
 import contextlib
@@ -38,17 +38,17 @@ from workbook.inside.proc import own_environment_range
 
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
-"""The size of the blank space that this process's parent leaves in its environment for a mark (see `RunMark`)."""
+"""The size of the blank space for a mark that this process's parent leaves in our environment (see `RunMark`)."""
 READY = b"ready"
 FAILED = 126
 
 
 @dataclass(frozen=True)
 class Request:
-    """A program to start, and the arguments for `host.main`.
+    """A request to start a program. `arguments`: those for `host.main`.
 
-    `namespaces_of`: the first process of the sandbox to join; 0 for none. `reads`: whether the last descriptor is the
-    program's standard input.
+    `namespaces_of`: the process ID of the first process in the sandbox that the program joins; 0 for none. `folder`:
+    the program's working folder. `reads`: whether the last descriptor is the program's standard input.
     """
 
     namespaces_of: int
@@ -60,9 +60,9 @@ class Request:
 
 @dataclass(frozen=True)
 class Branch:
-    """A request to fork another server, for one slot. It ends when the other end of its channel is closed.
+    """A request to fork another server, for one slot. That server ends when the other end of its channel is closed.
 
-    `branch_in`: the first process of the slot's sandbox.
+    `branch_in`: the process ID of the first process in the slot's sandbox.
     """
 
     branch_in: int
@@ -71,7 +71,8 @@ class Branch:
 class RunMark:
     """The environment variable that identifies a program and its descendants among the machine's processes.
 
-    The kernel shows a process's original environment by reading it from memory, so we write the mark there.
+    The kernel shows other processes the memory that holds a process's original environment, so we write the mark into
+    that memory.
     """
 
     def __init__(self) -> None:
@@ -89,7 +90,7 @@ class RunMark:
 
 @dataclass(frozen=True)
 class Hooks:
-    """Objects that must act when the server forks."""
+    """The objects that have to do something when the server forks."""
 
     lttng: LttngForkHooks
     mark: RunMark
@@ -98,10 +99,11 @@ class Hooks:
 def become_program(
     request: Request, parent: int, output: int, given: int | None, group: int | None, hooks: Hooks
 ) -> None:
-    """Turn this forked process into the one that runs the answer. `group`: the open file of the cgroup to join.
+    """Prepare this forked process to run the answer: rights, session, folder, descriptors, and environment.
 
-    `given`: the program's input. If it's None, open an empty input here, because an inherited descriptor would share
-    its flags among all programs.
+    `group`: the descriptor of the file through which to join a memory cgroup. `given`: the program's input; None for an
+    empty one, which is opened here, because programs would share an inherited descriptor's flags. If anything fails,
+    write the reason to `output`, and exit.
     """
     try:
         if group is not None:
@@ -131,9 +133,9 @@ def become_program(
 
 
 def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> None:
-    """Fork the program into its namespaces. This returns only in the program; the supervisor exits here.
+    """Fork the program into its namespaces. This function returns only in the program; the supervisor exits in it.
 
-    The supervisor reports the program's process id, and later its exit status (from `os.waitpid`). When a program in a
+    The supervisor reports the program's process ID, and later its exit status (from `os.waitpid`). When a program in a
     sandbox ends, the supervisor ends the sandbox, and with it all processes that the program started.
     """
     code = 1
@@ -177,7 +179,10 @@ def _reap(*_: object) -> None:
 
 
 def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socket:
-    """Turn this forked process into a server for one slot. Return its channel."""
+    """Turn this forked process into a server for one slot. Return its channel.
+
+    If that fails, report the reason and exit.
+    """
     channel = socket.socket(fileno=descriptor)
     try:
         set_parent_death_signal()
@@ -192,7 +197,10 @@ def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socke
 
 
 def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
-    """Fork a program for each request. In a program, return its arguments; return None when the channel is closed."""
+    """Fork a program for each request.
+
+    In a program, return its arguments. In the server, return None when the channel is closed.
+    """
     for asked, descriptors in requests(channel):
         try:
             forked = hooks.lttng.fork()

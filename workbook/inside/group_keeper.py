@@ -1,9 +1,10 @@
-"""Create a memory cgroup for a grading process, and remove it even if that process is killed.
+"""Create a memory cgroup for a grading process, and remove it when that process ends, even if it's killed.
 
     python -I -S run.py group_keeper FOLDER PREFIX
 
-This process creates a group in FOLDER and prints its path, or else the error. Then it waits until its input is closed,
-either by the grading process or, after a kill, by the kernel. A lock on the group shows that it's in use.
+This process creates a group in FOLDER and prints its path, or else the error. Then it waits until its standard input is
+closed, either by the grading process or, if that was killed, by the kernel. A lock on the group shows other processes
+that the group is in use.
 """
 
 import fcntl
@@ -16,7 +17,7 @@ from workbook.inside.memory_cgroup import divide_group, remove_group
 
 TRIES = 5
 LONGEST_REMOVAL_S = 30.0
-"""How long (s) the removal may take, because other processes may also be ending the group's processes."""
+"""How long (s) the removal may take. It's long, because other processes may also be ending the group's processes."""
 
 
 def keep(folder: str, prefix: str) -> None:
@@ -53,7 +54,7 @@ def _make_locked_once(folder: str, prefix: str) -> tuple[str, int]:
 
 
 def main(arguments: list[str]) -> None:
-    """Keep a group, with the arguments described above. Ignore interrupts, which are for the grading process."""
+    """Keep a group, with the arguments described above. Ignore signals, which are for the grading process."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     try:

@@ -4,11 +4,11 @@
         [--tap DOMAIN] ANSWER.py [...]
 
 The file runs as `__main__`, and may have any reasonable form. If it ends normally without ever initializing a context,
-the host calls its `main()`, if that needs no arguments. Otherwise, it spins the file's leaf Node subclass, if there's
-exactly one.
+the host calls its `main()`, if there's one that needs no arguments. Otherwise, the host spins the file's leaf Node
+subclass, if there's exactly one.
 
 If there's a driver, it runs as `__main__`, and imports the file as the module `answer`. Before that, the host reads a
-key from standard input. It gives the driver a global function `sign` that signs reports (see `signer`).
+key from standard input. With that key, a global function `sign` of the driver signs reports (see `signer`).
 """
 
 import asyncio
@@ -30,16 +30,17 @@ from workbook.inside.student_traceback import shown, take_over_threads, tell_who
 SWITCH_INTERVAL_S = 1e-4
 """The interval (s) at which Python switches threads.
 
-While a handler waits for its thread, rclpy's MultiThreadedExecutor busy-waits. With Python's default of 5 ms, it would
-delay the other threads again and again. As a result, counts were wrong, and checks took 20 s.
+While a handler waits for a free thread, rclpy's MultiThreadedExecutor busy-waits. With Python's default of 5 ms, that
+delayed the other threads again and again, so counts were wrong, and checks took 20 s.
 """
 MOST_KEY_BYTES = 64
 BEHIND_THE_KEY = bytes(512)
-"""Padding to hash after the key. After so many bytes, the hash has processed the blocks that contain the key, and has
-overwritten them in its buffer.
+"""Padding to hash after the key.
+
+After this many bytes, the hash object has processed the key and overwritten it in its buffer.
 """
 LONGEST_REPORT = 2_000
-"""The most characters of a report. Recordings truncate longer texts, and then the signature no longer matches."""
+"""The most characters of a report. Recordings truncate longer texts, so that the signature no longer matches."""
 LIMITS = {
     "memory": resource.RLIMIT_AS,
     "processes": resource.RLIMIT_NPROC,
@@ -52,7 +53,7 @@ LIMITS = {
 
 
 def end_if_nobody_reads() -> None:
-    """End this process if its output has no reader: the reader was killed before the sandbox was tied to it."""
+    """End this process if its output has no reader, because the reader was killed before the sandbox was tied to it."""
     pipe = select.poll()
     pipe.register(1, 0)
     if any(event & select.POLLERR for _, event in pipe.poll(0)):
@@ -60,7 +61,7 @@ def end_if_nobody_reads() -> None:
 
 
 def apply_limit(text: str) -> None:
-    """Set a limit, given as NAME=VALUE, that the program can't raise.
+    """Set a limit, given as NAME=VALUE (see `LIMITS`), that the program can't raise.
 
     For CPU time, the hard limit is one second higher, so that SIGXCPU comes before SIGKILL.
     """
@@ -101,7 +102,7 @@ def callable_without_arguments(function: object) -> bool:
 
 
 def leaf_node_classes(module: types.ModuleType) -> list[type]:
-    """Return the Node subclasses that this file defines, except those with a subclass in this file."""
+    """Return the Node subclasses that the module defines, except those that have a subclass in the module."""
     from rclpy.node import Node
 
     own = [
@@ -141,12 +142,12 @@ def help_along(module: types.ModuleType) -> None:
 
 
 def student_traceback(error: BaseException) -> str:
-    """Format the traceback without the frames of this host, of a driver, and of the reporting to the panel."""
+    """Format an exception's traceback, leaving out the frames of this folder's files and of a driver."""
     return shown(error, lambda frame: frame.filename == __file__ and frame.name == "exec_module")
 
 
 def was_interrupted(error: BaseException | None) -> bool:
-    """Return whether Ctrl-C was pressed: the program didn't catch it, or rclpy has shut the context down."""
+    """Return whether Ctrl-C was pressed: it raised KeyboardInterrupt, or rclpy has shut the context down."""
     rclpy = sys.modules.get("rclpy")
     return isinstance(error, KeyboardInterrupt) or (rclpy is not None and not rclpy.ok())
 
@@ -158,7 +159,7 @@ def compiled(path: str) -> types.CodeType:
 
 
 def execute(path: str, **given: object) -> types.ModuleType:
-    """Run the file as `__main__`, with `given` as additional globals. Return the module."""
+    """Run the file at `path` as `__main__`, with `given` as additional globals. Return the module."""
     module = types.ModuleType("__main__")
     module.__file__ = path
     module.__dict__.update(given, __builtins__=__builtins__)
@@ -169,13 +170,13 @@ def execute(path: str, **given: object) -> types.ModuleType:
 
 
 class AnswerFinder:
-    """A finder for `sys.meta_path`, and loader, that provides the answer as the module `answer`."""
+    """Provides the answer as the module `answer`, as a finder (for `sys.meta_path`) and a loader."""
 
     def __init__(self, path: str) -> None:
         self.path = path
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Find the answer, as part of the import protocol; None for all other names."""
+        """Return the answer's spec, as part of the import protocol; None for all other names."""
         return ModuleSpec(name, self, origin=self.path) if name == "answer" else None  # type: ignore[arg-type]
 
     def create_module(self, spec: ModuleSpec) -> None:
@@ -190,10 +191,9 @@ class AnswerFinder:
 def signer() -> Callable[[str, str], str]:
     """Return a function that signs a report for a topic.
 
-    That function returns a number, a signature, and the text, separated by blanks. Without a key, it returns the text.
-
-    The key is read from standard input, which is empty from then on. The function stores only a hash state that
-    includes the key, not the key itself. But code in this process can still find and call the function.
+    That function returns a number, a signature, and the text, separated by blanks; if there's no key, it returns only
+    the text. The key is read from standard input, which is empty from then on. The function stores a hash state that
+    includes the key, but not the key itself. However, code in this process can still find and call the function.
     """
     from hashlib import blake2b
 
@@ -210,7 +210,7 @@ def signer() -> Callable[[str, str], str]:
         return lambda topic, text: text
 
     def sign(topic: str, text: str) -> str:
-        """Return the signed text to publish on `topic`, without characters that a message can't carry."""
+        """Return the signed text to publish on `topic`. Replace characters that a message can't contain."""
         text = text[:LONGEST_REPORT].replace("\0", " ").encode(errors="backslashreplace").decode()
         number, mine = next(numbers), keyed.copy()
         mine.update(f"{topic}\n{number}\n{text}".encode())
@@ -228,14 +228,14 @@ def run(path: str) -> None:
 
 
 def run_with_driver(path: str, driver: str) -> None:
-    """Run the driver as `__main__`. The driver imports the answer when it's ready."""
+    """Run the driver as `__main__`. The driver imports the answer itself, as the module `answer`."""
     sign = signer()
     sys.meta_path.insert(0, AnswerFinder(path))
     execute(driver, sign=sign)
 
 
 def obey(options: list[str]) -> tuple[str | None, list[str]]:
-    """Apply the options at the front. Return the driver, or None, and the program with its arguments."""
+    """Apply the leading options. Return the driver's path (None without one), and the program with its arguments."""
     driver = None
     while options and options[0] in (
         "--parent",

@@ -1,4 +1,4 @@
-"""Import modules once, and hide them until a program imports them itself."""
+"""Import modules before a fork, and hide them until a program imports them itself."""
 
 import builtins
 import importlib.util
@@ -31,14 +31,15 @@ TYPE_SUPPORT = (
     "std_srvs",
     "type_description_interfaces",
 )
-"""Packages whose compiled part is loaded when the first node, publisher, subscription, or service is created."""
+"""The packages whose compiled part is loaded when the first node, publisher, subscription, or service is created."""
 CHECKS = "ros_python_check_fields"
 
 
 class ImportCache:
-    """Keeps loaded modules outside of `sys.modules`. Importing one adds it there, as if it had just been loaded.
+    """Keeps loaded modules outside of `sys.modules`. An import adds the module there, as if it had just been loaded.
 
-    The modules that it imports at its top level are added, too, so the same names appear as in a fresh Python.
+    The modules that it imports at its top level are added, too, so `sys.modules` has the same names as in a fresh
+    Python.
     """
 
     def __init__(self) -> None:
@@ -82,7 +83,7 @@ class ImportCache:
         self._imports.setdefault(who, {}).update(dict.fromkeys(wanted))
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Find a cached module, for `sys.meta_path`."""
+        """Return a cached module's spec, as part of the import protocol; None for all other names."""
         module = self._modules.get(name)
         if module is None:
             return None
@@ -111,7 +112,10 @@ class ImportCache:
 
 
 def _compiled_module_being_loaded() -> str | None:
-    """Return which compiled module is being loaded, because its imports seem to come from the import system."""
+    """Return the name of the compiled module that's being loaded; None if there's none.
+
+    A compiled module's imports seem to come from the import system itself.
+    """
     frame: types.FrameType | None = sys._getframe()
     while frame is not None:
         spec = frame.f_locals.get("spec")
@@ -135,7 +139,7 @@ def import_what_answers_need() -> None:
 
 
 def _look_up_their_files() -> None:
-    """Let `inspect` cache the modules' files, which it does after its first failed search.
+    """Make `inspect` cache the modules' files, which it does when it searches for an unknown file.
 
     rclpy uses `inspect` to find a logger's caller. Without the cache, the first log line would make several thousand
     system calls.

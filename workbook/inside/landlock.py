@@ -1,4 +1,4 @@
-"""Hide the machine's files from this process with Landlock, permanently."""
+"""Hide the machine's files from this process permanently, with the kernel's Landlock."""
 
 import ctypes
 import os
@@ -22,7 +22,7 @@ FS_RIGHTS_OF_ABI = {1: 13, 2: 14, 3: 15, 4: 15, 5: 16}
 """The number of file rights in each Landlock version. Later versions have at least the last one's rights."""
 TCP_RIGHTS = 0b11
 SCOPES = 0b11
-"""Signals, and sockets with abstract names."""
+"""The bits that block signals, and connections to sockets with abstract names, to processes outside."""
 
 
 class _Ruleset(ctypes.Structure):
@@ -55,9 +55,10 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
 
 
 def restrict_to(read: list[str], write: list[str]) -> None:
-    """Hide all files except these, permanently. If the kernel supports it, also block signals and TCP to the outside.
+    """Hide all files permanently, except those at or below the paths in `read` and `write`.
 
-    Call `drop_capabilities` first. Raises OSError if there's no Landlock.
+    If the kernel supports it, also block signals to processes outside, and TCP. Call `drop_capabilities` first. Raises
+    OSError if there's no Landlock.
     """
     abi = landlock_abi()
     if abi == 0:

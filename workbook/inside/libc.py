@@ -1,4 +1,4 @@
-"""Call functions of the C library that Python doesn't provide."""
+"""Call C library functions that Python doesn't provide."""
 
 import ctypes
 import os
@@ -23,7 +23,10 @@ def set_parent_death_signal(number: signal.Signals = signal.SIGKILL) -> None:
 
 
 def die_with_parent(parent: int) -> None:
-    """Let the kernel kill this process when the process `parent` ends. If it has already ended, exit right away."""
+    """Have the kernel kill this process when its parent process `parent` ends.
+
+    If that has already ended, exit right away.
+    """
     set_parent_death_signal()
     if os.getppid() != parent:
         os._exit(1)

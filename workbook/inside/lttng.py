@@ -1,4 +1,4 @@
-"""Prepare LTTng, which rclpy's wheels load, for forks of this process."""
+"""Prepare LTTng, a tracing library that rclpy's wheels load, for forks of this process."""
 
 import ctypes
 import os
@@ -11,9 +11,8 @@ SIGSET_BYTES = 128
 class LttngForkHooks:
     """Notifies LTTng of each fork.
 
-    LTTng has two threads, which a forked process doesn't inherit. Its library `liblttng-ust-fork` exists to handle
-    that. Without it, when the program ends, LTTng cancels whichever threads have replaced its own, and the program may
-    hang.
+    LTTng has two threads, which a forked process doesn't inherit. LTTng's `liblttng-ust-fork` has functions to call
+    around a fork. Without those calls, LTTng cancels the wrong threads when the program ends, and the program may hang.
     """
 
     def __init__(self) -> None:
@@ -23,7 +22,7 @@ class LttngForkHooks:
         self._signals = ctypes.create_string_buffer(SIGSET_BYTES)
 
     def fork(self) -> int:
-        """Fork like `os.fork`. The child must call `after_fork_in_program`. Raises OSError if that fails."""
+        """Fork like `os.fork`. The child must call `after_fork_in_program`. Raises OSError if the fork fails."""
         if self._library is not None:
             self._library.ust_before_fork(self._signals)  # blocks all signals
         pid = -1
@@ -35,6 +34,6 @@ class LttngForkHooks:
         return pid
 
     def after_fork_in_program(self) -> None:
-        """Restart LTTng's threads. Call this in the forked process, right after the fork."""
+        """Restart LTTng's threads. Call this in the forked process, once it has given up its rights."""
         if self._library is not None:
             self._library.ust_after_fork_child(self._signals)

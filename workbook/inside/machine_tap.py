@@ -1,7 +1,7 @@
-"""Record how messages and timer ticks reach the callbacks of some nodes: arrived, waited, taken, called, ended.
+"""Record how messages and timer ticks reach the callbacks of some nodes: when each arrived, was taken, and was handled.
 
-While a `MachineTap` is open, it wraps rclpy's executors and their sources in this process. All times are in ns on the
-system clock, like DDS's time stamps. `notes()` returns plain data for JSON.
+While a `MachineTap` is open, it wraps methods of rclpy's executors, wait sets, and entities in this process. All times
+are in ns on the system clock, like DDS's timestamps. `notes()` returns plain data for JSON.
 
 As a driver (``ANSWER.py FILE SECONDS NODE``), this file runs another program's `main()`. Once the node has spun for
 that many seconds, it writes the node's notes to FILE.
@@ -24,12 +24,12 @@ MATCHED_WITHIN_S = 5.0
 POLL_S = 0.01
 KINDS = ("subscription", "timer", "client", "service")
 OF_RCLPY = ("parameters", "parameters_atomically", "parameter_types", "get_type_description")
-"""The endings of services that rclpy creates for every node."""
+"""The name endings of the services that rclpy creates for every node."""
 Note = dict[str, Any]
 
 
 class _Watched:
-    """A coroutine that records when it pauses and resumes, because an `await` in a callback frees its thread."""
+    """Awaits a callback, and records when it pauses and resumes, because an `await` in a callback frees its thread."""
 
     def __init__(self, awaited: Awaitable[Any], call: Note) -> None:
         self._awaited, self._call = awaited, call
@@ -52,7 +52,10 @@ class _Watched:
 
 
 class MachineTap:
-    """Watches nodes while it's open. Use it as a context manager. To add more nodes, call `watch`."""
+    """Records the callbacks of `nodes` while it's open. Use it as a context manager. To add more nodes, call `watch`.
+
+    `drain`: whether to also take the responses that are still in the queues at the end (see `_look_into_queues`).
+    """
 
     def __init__(self, nodes: Iterable[Any] = (), *, drain: bool = False) -> None:
         self.began: int | None = None
@@ -76,7 +79,11 @@ class MachineTap:
             self.watch(node)
 
     def watch(self, node: Any) -> None:
-        """Watch a node's current entities. Return once the copies of its subscriptions have found their publishers."""
+        """Watch a node's current subscriptions, timers, clients, and services.
+
+        Return once the copies of its subscriptions (see `_shadow`) have found their publishers, but at the latest after
+        `MATCHED_WITHIN_S`.
+        """
         self._nodes.append(node)
         for kind, found in _entities_of(node):
             place = len(self._entities)
@@ -92,7 +99,7 @@ class MachineTap:
             time.sleep(POLL_S)
 
     def _shadow(self, place: int, subscription: Any, node: Any) -> None:
-        """Create a second subscription that keeps all messages, because rclpy doesn't report dropped ones."""
+        """Create a copy of a subscription, with a deep queue, because rclpy doesn't report dropped messages."""
         from rclpy.node import Node
         from rclpy.qos import QoSProfile
 
@@ -179,7 +186,7 @@ class MachineTap:
         return take
 
     def _stamping(self, original: Any) -> Any:
-        """Keep an item's time stamps for the callback that it leads to."""
+        """Wrap a function that takes an item, such as a message, and keep its timestamps for the callback."""
         kept = self._taken
 
         def take(handle: Any, *wanted: Any) -> Any:
@@ -218,7 +225,7 @@ class MachineTap:
         return wait
 
     def _spinning(self, original: Any) -> Any:
-        """Record which executor serves a watched node, and mark the thread that waits for it."""
+        """Wrap an executor's wait: record which executor serves a watched node, and mark the thread that waits."""
 
         def wait_for_ready_callbacks(executor: Any, *args: Any, **named: Any) -> Any:
             if not any(node in self._nodes for node in executor.get_nodes()):
@@ -233,9 +240,9 @@ class MachineTap:
         return wait_for_ready_callbacks
 
     def _look_into_queues(self) -> None:
-        """Record the messages that arrived but weren't taken.
+        """Record when messages arrived, including those that were never taken, and when timers are due next.
 
-        The copies of the subscriptions have all messages. Responses are taken only if `drain` is set.
+        The copies of the subscriptions have all messages. Responses that weren't taken are recorded only with `drain`.
         """
         for place, shadow in self._shadows.items():
             with shadow.handle:
@@ -273,13 +280,13 @@ class MachineTap:
 
 
 def _nothing(message: Any) -> None:
-    """Ignore a message from a copied subscription, which is never spun."""
+    """Ignore a message from a copied subscription. It's never called, because no executor serves the copies."""
 
 
 def _entities_of(node: Any) -> list[tuple[str, Any]]:
-    """Return a node's entities that an executor waits for.
+    """Return the kind and object of each of a node's subscriptions, timers, clients, and services.
 
-    Leave out the entities that rclpy creates for every node.
+    Leave out those that rclpy creates for every node.
     """
     named = [
         ("subscription", [one for one in node.subscriptions if one.topic_name != "/parameter_events"]),
@@ -330,7 +337,7 @@ def _due(entity: Any) -> int | None:
 
 
 def _stamps(found: Any) -> tuple[int, int] | None:
-    """Return when an item was sent and received (ns), according to DDS; None if that's unknown."""
+    """Return when a taken item was sent and received (ns), according to DDS; None if that's unknown."""
     for part in found or ():
         if isinstance(part, dict):
             return part["source_timestamp"], part["received_timestamp"]
@@ -340,7 +347,10 @@ def _stamps(found: Any) -> tuple[int, int] | None:
 
 
 def _run_and_write(file: str, seconds: float, name: str) -> None:
-    """Run `answer.main()`. Once the node spins, watch it for `seconds` s, and then write its notes."""
+    """Run `answer.main()`.
+
+    Watch its node `name` for `seconds` from when it's added to an executor, and write the notes.
+    """
     from rclpy.executors import Executor
 
     answer = importlib.import_module("answer")

@@ -1,4 +1,4 @@
-"""Use memory cgroups through the kernel's files: join a group, and remove groups along with their processes.
+"""Use memory cgroups through the kernel's files: join a group, and remove a group together with its processes.
 
 Source: https://docs.kernel.org/admin-guide/cgroup-v1/memory.html and https://docs.kernel.org/admin-guide/cgroup-v2.html
 """
@@ -17,17 +17,20 @@ _POLL_S = 0.002
 
 
 def open_group(joins: str) -> int:
-    """Open the file with which a process joins a group. Raises OSError."""
+    """Open the file through which a process joins a group, and return its descriptor. Raises OSError."""
     return os.open(joins, os.O_WRONLY | os.O_CLOEXEC)
 
 
 def join(descriptor: int) -> None:
-    """Move this process into the group of an open file. It must not have other threads. Raises OSError."""
+    """Move this process, which must have only one thread, into the group of an open file (see `open_group`).
+
+    Raises OSError.
+    """
     os.write(descriptor, b"0")
 
 
 def hide_group() -> None:
-    """Hide the group's path, so that this process sees its own group as the root. Raises OSError."""
+    """Hide the path of this process's group, which the process then sees as the root. Raises OSError."""
     checked("unshare", libc.unshare(CLONE_NEWCGROUP))
 
 
@@ -37,7 +40,7 @@ def version_of(group: str) -> int:
 
 
 def divide_group(group: str) -> None:
-    """Let the group's subgroups count memory, which version 2 must be told to do. Raises OSError."""
+    """Make the group's subgroups count memory, which version 2 doesn't do by default. Raises OSError."""
     if version_of(group) == 2:
         write(f"{group}/cgroup.subtree_control", "+memory")
 
@@ -70,7 +73,10 @@ def groups_in(folder: str) -> list[str]:
 
 
 def remove_group(group: str, patience_s: float = LONGEST_REMOVAL_S) -> bool:
-    """Kill all processes in a group and its subgroups, and remove the groups. Return whether it's gone."""
+    """Kill all processes in a group and its subgroups, and remove the groups.
+
+    Return whether the group is gone. If it isn't, give up after `patience_s` (s).
+    """
     deadline = time.monotonic() + patience_s
     while True:
         for below in groups_in(group):

@@ -1,6 +1,6 @@
-"""Explain a missing name: it's set on a later line, belongs to another class, is misspelled, or was overwritten.
+"""Explain a missing name: it's set on another line, belongs elsewhere, is misspelled, or was overwritten.
 
-A traceback contains only the names of the object and the attribute. The object itself is still in the exception.
+The text of such an exception contains only names, but the exception itself refers to the object.
 """
 
 import dis
@@ -15,10 +15,10 @@ from typing import Any
 
 MOST_NAMES = 3
 ALIKE, ALIKE_FOR_MODULES = 0.7, 0.8
-"""The share of common letters from which another name is suggested."""
+"""How similar (from 0 to 1, see `difflib`) another name must be for us to suggest it."""
 _OF_THE_PROGRAM = ("__main__", "answer")
 _RAISES_FOR_IT = "enum"
-"""Up to Python 3.11, this module raises the exception if a program asks an enum for a missing name."""
+"""Up to Python 3.11, this module raises the exception if a program uses a missing name of an enum."""
 _NOT_IN_MODULE = re.compile(r"^cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'")
 _NO_KEYWORD = re.compile(
     r"^(?P<kind>\w+)\.(?P<name>\w+)\(\) got an unexpected keyword argument '(?P<keyword>\w+)'"
@@ -36,7 +36,7 @@ _CLASSES = {
 
 
 def note_of_name(error: BaseException) -> str:
-    """Return a line that says where a missing name is, or which names are similar; empty if none is known."""
+    """Return a line that says where a missing name is, or which names are similar; empty if we find none."""
     try:
         frames = [step.tb_frame for step in _steps(error)]
         if not frames or frames[-1].f_globals.get("__name__") not in (*_OF_THE_PROGRAM, _RAISES_FOR_IT):
@@ -58,7 +58,10 @@ def _steps(error: BaseException) -> Iterator[TracebackType]:
 
 
 def _of_node(frames: list[FrameType]) -> str:
-    """Name the program's line that overwrote one of Node's own attributes, if rclpy failed."""
+    """Identify the program's line that overwrote one of Node's own attributes, on which rclpy then failed.
+
+    Return an empty string if there's no such line.
+    """
     kind = getattr(sys.modules.get("rclpy.node"), "Node", None)
     locals_of_rclpy = [
         one.f_locals for one in frames if one.f_globals.get("__name__", "").startswith("rclpy")
@@ -117,7 +120,7 @@ def _alike(owner: str, name: str, names: Iterable[str], share: float) -> str:
 
 
 def _own_functions(kind: type) -> Iterator[FunctionType]:
-    """Yield the methods of a class that the program itself defines."""
+    """Yield the methods of a class and its base classes that the program itself defines."""
     for one in kind.__mro__:
         if one.__module__ in _OF_THE_PROGRAM:
             yield from (value for value in vars(one).values() if inspect.isfunction(value))
@@ -131,7 +134,7 @@ def _set_by(function: FunctionType) -> Iterator[tuple[str, int]]:
 
 
 def _others_with(owner: Any, name: str) -> Iterator[str]:
-    """Yield the names of rclpy's classes that have a function of this name, if the owner belongs to rclpy."""
+    """Yield the names of rclpy's classes (or "rclpy") that have this function, if the owner belongs to rclpy."""
     module = owner.__name__ if inspect.ismodule(owner) else ""
     if not any(one.__module__.startswith("rclpy.") for one in type(owner).__mro__) and module != "rclpy":
         return

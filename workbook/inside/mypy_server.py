@@ -1,10 +1,10 @@
-"""Run mypy repeatedly. It's imported only once, and each run is a fork.
+"""Run mypy on request. This process imports mypy only once, and forks for each run.
 
     python -P run.py mypy_server CHANNEL
 
 CHANNEL is the file descriptor of an inherited socket. It carries one `Run` after another, each with two descriptors:
-for mypy's findings, and for its errors. The reply is mypy's exit status (from `os.waitpid`). When the channel is
-closed, this process ends, along with a running mypy.
+for mypy's findings, and for its errors. The reply to each is mypy's exit status (from `os.waitpid`). When the other end
+of the channel is closed, this process ends, and kills a running mypy.
 """
 
 import gc
@@ -39,7 +39,10 @@ class Run:
 
 
 def become_mypy(run: Run, parent: int, outputs: Sequence[int]) -> NoReturn:
-    """Turn this forked process into one that runs mypy, and exit with its code."""
+    """Run mypy in this forked process, and exit with its code.
+
+    `outputs`: the descriptors for mypy's findings and errors.
+    """
     code = FAILED
     try:
         set_parent_death_signal()
@@ -65,7 +68,10 @@ def become_mypy(run: Run, parent: int, outputs: Sequence[int]) -> NoReturn:
 
 
 def ended(child: int, channel: socket.socket) -> int | None:
-    """Wait until `child` has ended, and return its status. If the channel is closed first, kill it and return None."""
+    """Wait until `child` has ended, and return its status.
+
+    If the channel is closed first, kill `child` and return None.
+    """
     watched = select.poll()
     handle = os.pidfd_open(child)
     watched.register(handle, select.POLLIN)

@@ -8,16 +8,17 @@ from workbook.inside.libc import checked, libc
 NEWNS, NEWCGROUP, NEWUTS = 0x00020000, 0x02000000, 0x04000000
 NEWIPC, NEWUSER, NEWPID, NEWNET = 0x08000000, 0x10000000, 0x20000000, 0x40000000
 OF_A_PROGRAM = NEWUSER | NEWNS | NEWPID | NEWIPC | NEWUTS | NEWCGROUP
-"""The inner sandbox's namespaces. The network isn't one of them, so a program uses the observer's network."""
+"""The namespaces of a program's (inner) sandbox. It has no network namespace, so a program uses the observer's
+network."""
 OF_A_SLOT = NEWUSER | NEWNS | NEWIPC | NEWNET
-"""The outer sandbox's namespaces."""
+"""The namespaces of a slot's (outer) sandbox."""
 
 
 def join_namespaces(first: int, spaces: int) -> None:
-    """Enter namespaces of the process `first`. A PID namespace takes effect only for children. Raises OSError.
+    """Enter the namespaces in `spaces` (flags) of the process `first`. Raises OSError.
 
-    A process may enter namespaces that its own user created, if it enters them all in one call. Afterward, it has no
-    rights outside. The process must have only one thread.
+    This process must have only one thread. It may enter namespaces that its own user created, if it enters all of them
+    in one call. Afterward, it has no rights outside. A PID namespace takes effect only for its children.
     """
     descriptor = os.pidfd_open(first)
     try:
@@ -29,7 +30,8 @@ def join_namespaces(first: int, spaces: int) -> None:
 def settle_in_slot(first: int) -> None:
     """Enter the outer sandbox whose first process is `first`, with the same rights as bubblewrap's processes there.
 
-    Within the sandbox, it keeps root's rights, because it needs them to create another sandbox inside. Raises OSError.
+    If this process runs as root, it keeps root's rights within the sandbox, because it needs them to create another
+    sandbox inside. Raises OSError.
     """
     bounds = bounding_set()
     join_namespaces(first, OF_A_SLOT)

@@ -1,4 +1,4 @@
-"""Adopt and end processes that outlive the process that started them."""
+"""Adopt and end orphans: processes that outlive the process that started them."""
 
 import os
 import signal
@@ -21,30 +21,31 @@ class StillThere(RuntimeError):
 
 
 def adopt_orphans() -> None:
-    """Let this process adopt the daemons that a program leaves behind, so that it can end them."""
+    """Make this process adopt the processes that a program leaves behind, so that it can end them."""
     libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
 def exempt(pid: int) -> None:
-    """Exclude a child of ours, and its descendants, from every sweep."""
+    """Exclude our child process `pid` and its descendants from every sweep."""
     _exempt.add(pid)
 
 
 def forget(pid: int) -> None:
-    """Forget a child that has ended, because its process id may be reused."""
+    """Undo `exempt` for a child that has ended, because its process ID may be reused."""
     _exempt.discard(pid)
 
 
 def forget_all() -> None:
-    """Forget all children. Call this in a fork of this process, because they aren't the fork's own."""
+    """Undo `exempt` for all children. Call this in a fork, because they're children of the original process."""
     _exempt.clear()
 
 
 def sweep_orphans() -> int:
     """Kill and reap all our descendants that aren't exempt. Return how many there were.
 
-    Each process is stopped as soon as it's found, because a stopped process can't fork. When no new process is found,
-    all of them are killed. Raises StillThere if new ones still appear after 20 s, faster than they can be stopped.
+    Each process is suspended as soon as it's found, because a suspended process can't fork. When no new process is
+    found, all of them are killed. Raises StillThere if new processes still appear after 20 s, faster than they can be
+    suspended.
     """
     ended: set[int] = set()
     deadline = time.monotonic() + LONGEST_SWEEP_S
@@ -65,7 +66,7 @@ def sweep_orphans() -> int:
 
 
 def _stop_below(pid: int, known: set[int]) -> set[int]:
-    """Stop the descendants of `pid` that are neither known nor exempt, from the top down. Return them."""
+    """Suspend the descendants of `pid` that are neither known nor exempt, parents first. Return them."""
     newcomers: set[int] = set()
     waiting, looked_at = [pid], set[int]()
     while waiting:

@@ -1,6 +1,6 @@
 """Read information from /proc: about processes, threads, sockets, users, and processors.
 
-If a process has ended, functions return an empty result, zero, or None, or raise OSError; see each function.
+If a process has ended, functions return an empty result, zero, or None, or raise OSError, as each one describes.
 """
 
 import os
@@ -21,9 +21,10 @@ QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
 
 
 def read(path: str) -> bytes:
-    """Read a small file below /proc. Raises OSError if its process has ended.
+    """Read a small file in /proc. Raises OSError if its process has ended.
 
-    It's called many times a second. A file object would make twice as many system calls, and a `Path` even more.
+    This function is called many times per second. A file object would make twice as many system calls, and a `Path`
+    even more.
     """
     descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
     try:
@@ -57,19 +58,19 @@ def read_text(path: str) -> str:
 
 
 def pids() -> list[int]:
-    """Return all processes that are visible to this process."""
+    """Return the IDs of all processes that are visible to this process."""
     return [int(entry) for entry in os.listdir("/proc") if entry.isdigit()]
 
 
 def tasks(pid: int) -> list[str]:
-    """Return a process's threads; none if it has ended."""
+    """Return the IDs of a process's threads; none if it has ended."""
     with suppress(OSError):
         return os.listdir(f"/proc/{pid}/task")
     return []
 
 
 def children(pid: int) -> list[int]:
-    """Return the processes that `pid` has started or adopted; none if it has ended."""
+    """Return the child processes that `pid` has started or adopted; none if it has ended."""
     found: list[int] = []
     for task in tasks(pid):
         with suppress(OSError):
@@ -94,7 +95,7 @@ def command_line(pid: int) -> bytes:
 
 
 def environment(pid: int) -> list[bytes]:
-    """Return the variables that a process was started with; none if it has ended or we may not read them."""
+    """Return a process's original environment (`NAME=VALUE`); empty if it has ended or we may not read it."""
     content = _read_if_there(f"/proc/{pid}/environ")
     return content.split(b"\0") if content else []
 
@@ -115,14 +116,14 @@ def stat_fields(pid: int | str = "self") -> list[bytes]:
 
 
 def owner(pid: int) -> int | None:
-    """Return a process's user id; None if it has ended."""
+    """Return a process's user ID; None if it has ended."""
     with suppress(OSError):
         return os.stat(f"/proc/{pid}").st_uid
     return None
 
 
 def running_users() -> list[tuple[int, int]]:
-    """Return the process id and real user id of every process that hasn't ended."""
+    """Return the process ID and real user ID of every process that hasn't ended."""
     found = []
     for pid in pids():
         try:
@@ -147,12 +148,12 @@ def processor_seconds(group: Iterable[int]) -> float | None:
 
 
 def run_queue_s(pid: int) -> float:
-    """Return how long (s) a process's first thread was ready but had no processor; zero if it has ended."""
+    """Return how long (s) a process's first thread has waited for a processor; zero if it has ended."""
     return ran_and_waited_s(pid)[1]
 
 
 def ran_and_waited_s(pid: int) -> tuple[float, float]:
-    """Return how long (s) a process's first thread ran, and waited for a processor; zeros if it has ended."""
+    """Return how long (s) a process's first thread has run and has waited for a processor; zeros if it has ended."""
     # https://docs.kernel.org/scheduler/sched-stats.html
     try:
         ran, waited, *_ = map(int, read(f"/proc/{pid}/schedstat").split())
@@ -170,7 +171,7 @@ def resident_bytes(pid: int) -> int:
 
 
 def written_bytes(pid: int) -> int:
-    """Return how many bytes a process and its reaped children wrote by system calls; zero if it has ended.
+    """Return how many bytes a process and its reaped children wrote with system calls; zero if it has ended.
 
     Source: proc_pid_io(5), `wchar`.
     """
@@ -178,22 +179,22 @@ def written_bytes(pid: int) -> int:
 
 
 def proportional_bytes(pid: int) -> int:
-    """Return a process's memory (bytes), including its part of shared memory; zero if it has ended. It's slow."""
+    """Return a process's memory (bytes), with its share of shared memory; zero if it has ended. This call is slow."""
     return 1024 * _number_after(b"Pss:", f"/proc/{pid}/smaps_rollup")
 
 
 def memory_bytes(group: Sequence[int], worth_counting: int) -> int:
     """Return the memory (bytes) that these processes use together.
 
-    Memory that they share after a fork is counted once. Because this is slow, it's done only above `worth_counting`
-    bytes.
+    Memory that they share, such as after a fork, counts only once. Because that's slow to find out, the result is only
+    an upper bound if it's at most `worth_counting` bytes.
     """
     rough = sum(map(resident_bytes, group))
     return rough if rough <= worth_counting else sum(map(proportional_bytes, group))
 
 
 def available_memory_bytes() -> int:
-    """Return the memory (bytes) that programs may still use without swapping; zero if it's unknown.
+    """Return how many bytes of memory programs can still use without swapping; zero if that's unknown.
 
     See proc_meminfo(5).
     """
@@ -201,7 +202,7 @@ def available_memory_bytes() -> int:
 
 
 def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
-    """Return the number, controllers, and path of this process's cgroup in each hierarchy; empty if there are none."""
+    """Return each cgroup hierarchy's number and controllers, and this process's path in it; empty if there are none."""
     try:
         rows = [line.split(":", 2) for line in read_text(table).splitlines()]
     except OSError:
@@ -210,7 +211,7 @@ def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
 
 
 def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str]]]:
-    """Return the root, mount point, and options of each file system of this kind that this process sees."""
+    """Return the root, mount point, and options of each mounted file system of this kind; empty if that's unknown."""
     try:
         rows = [line.split() for line in read_text(table).splitlines()]
     except OSError:
@@ -220,7 +221,7 @@ def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str
 
 
 def mount_usage(pid: int, folder: str) -> os.statvfs_result:
-    """Return the size and use of the file system in which a process sees `folder`. Raises OSError if it has ended."""
+    """Return the size and use of the file system that a process sees at `folder`. Raises OSError if it has ended."""
     return os.statvfs(f"/proc/{pid}/root{folder}")
 
 
@@ -228,7 +229,7 @@ def mount_usage(pid: int, folder: str) -> os.statvfs_result:
 
 
 def thread_name(task: str) -> bytes:
-    """Return the name of one of this process's threads. Raises OSError if it has ended."""
+    """Return the name of this process's thread `task`. Raises OSError if the thread has ended."""
     return read(f"/proc/self/task/{task}/comm")
 
 
@@ -240,7 +241,7 @@ def how_many_threads(pid: int) -> int:
 
 
 def thread_folder(pid: int | str, task: str) -> str:
-    """Return the folder in which the kernel describes a thread, in the files `stat`, `schedstat`, and `syscall`."""
+    """Return the folder of a thread's files in /proc, such as `stat`, `schedstat`, and `syscall`."""
     return f"/proc/{pid}/task/{task}"
 
 
@@ -255,7 +256,7 @@ def is_at_work(stat_fd: int) -> bool:
 
 
 def times_scheduled(schedstat_fd: int) -> bytes:
-    """Return bytes that change whenever a thread gets a processor, from its open `schedstat`."""
+    """Return the content of a thread's open file `schedstat`, which changes whenever the thread gets a processor."""
     return _peek(schedstat_fd)
 
 
@@ -271,9 +272,9 @@ def times_main_thread_ran(pid: int) -> int | None:
 
 
 def system_call(syscall_fd: int) -> bytes:
-    """Return the system call that a thread is in: its number and arguments; empty if the kernel doesn't report it.
+    """Return the number and arguments of the system call that a thread is in.
 
-    `syscall_fd`: the thread's open file `syscall`.
+    The result is empty if the kernel doesn't report it. `syscall_fd`: the thread's open file `syscall`.
     """
     return _peek(syscall_fd)
 
@@ -328,7 +329,7 @@ def sockets_open(group: Iterable[int]) -> int:
 
 
 def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
-    """Return the number of sockets in this process's network, of any process; zero if the kernel doesn't report it."""
+    """Return how many sockets all processes have open in this process's network; zero if that's unknown."""
     try:
         return int(read_text(totals).split()[2])  # sockets: used N
     except (OSError, ValueError, IndexError):
@@ -336,10 +337,10 @@ def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
 
 
 def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
-    """Return how many unread bytes are waiting in this network's UDP and TCP sockets.
+    """Return how many unread bytes this network's UDP and TCP sockets hold.
 
-    The kernel has a sum for all of the machine's networks, which is fast to read. Only if that sum exceeds
-    `worth_counting` bytes, add up this network's sockets; otherwise, return zero.
+    The kernel has a total for all of the machine's networks, which is fast to read. If that total is at most
+    `worth_counting` bytes, return zero; otherwise, add up this network's sockets.
     """
     try:
         lines = [line.split() for line in read_text(totals).splitlines()]
@@ -365,9 +366,9 @@ def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
 
 
 def processor_times_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, list[float]]:
-    """Return the seconds of each processor, and of all ("cpu"), in the columns of proc_stat(5).
+    """Return the times (s) of each processor and their sums ("cpu"), in the columns of proc_stat(5).
 
-    Return {} if the file is missing.
+    Return {} if `stat` can't be read.
     """
     rows = [line.split() for line in _read_if_there(os.fspath(stat)).decode(errors="replace").splitlines()]
     rows = [words for words in rows if words and words[0].startswith("cpu") and "".join(words[1:]).isdigit()]
@@ -375,9 +376,9 @@ def processor_times_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, lis
 
 
 def stolen_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, float]:
-    """Return each processor's stolen time (s) since the machine started.
+    """Return each processor's steal time (s) since the machine started.
 
-    Return {} if the file is missing.
+    Return {} if `stat` can't be read.
     """
     each = {name: times for name, times in processor_times_s(stat).items() if name != "cpu"}
     return {name: times[_STEAL] for name, times in each.items() if len(times) > _STEAL}
@@ -393,7 +394,7 @@ def idle_and_all_s(stat: str | os.PathLike[str] = PROC_STAT) -> tuple[float, flo
 
 
 def knows_ids(first: int, count: int) -> bool:
-    """Return whether these ids exist in this container, for users and for groups."""
+    """Return whether `count` IDs from `first` on exist in this container, as user IDs and as group IDs."""
     for table in ("/proc/self/uid_map", "/proc/self/gid_map"):
         try:
             rows = [[int(number) for number in line.split()] for line in read_text(table).splitlines()]
@@ -405,7 +406,7 @@ def knows_ids(first: int, count: int) -> bool:
 
 
 def system_v_ipc(table: str) -> list[dict[str, str]]:
-    """Return the rows of /proc/sysvipc/TABLE ("shm", "sem", or "msg") by column.
+    """Return the rows of /proc/sysvipc/TABLE ("shm", "sem", or "msg"), each keyed by column name.
 
     Return an empty list if the kernel has no such table.
     """
@@ -417,12 +418,15 @@ def system_v_ipc(table: str) -> list[dict[str, str]]:
 
 
 def mapped_libraries(name: str, table: str = "/proc/self/maps") -> set[str]:
-    """Return the paths of files mapped into this process whose name begins with `name`. They may contain spaces."""
+    """Return the paths of files mapped into this process whose file name begins with `name`.
+
+    The paths may contain spaces.
+    """
     paths = (line.split(maxsplit=5)[-1] for line in read_text(table).splitlines())
     return {path for path in paths if path.rpartition("/")[2].startswith(name) and "/" in path}
 
 
 def own_environment_range() -> tuple[int, int]:
-    """Return the begin and end address of this process's environment: env_start and env_end in proc(5)."""
+    """Return the start and end address of this process's environment: env_start and env_end in proc(5)."""
     begin, end = stat_fields()[47:49]
     return int(begin), int(end)

@@ -2,9 +2,9 @@
 
 The command is `python -P run.py NAME ARGUMENT...`.
 
-Like all other modules, the files in this folder import each other as `workbook.inside.NAME`. This script provides those
-names from the files alone, and removes them before it calls the file's `main`. So a program that this process runs or
-becomes finds the same modules as without this script.
+Like all other modules, the files in this folder import each other as `workbook.inside.NAME`. This script makes those
+imports work without the package, and removes the modules from `sys.modules` before it calls the file's `main`. So a
+program that this process runs or becomes finds the same modules as without this script.
 """
 
 import importlib
@@ -18,10 +18,10 @@ PACKAGES = ("workbook", "workbook.inside")
 
 
 class SiblingFinder:
-    """A finder for `sys.meta_path` that finds this folder's files and, without their code, the two packages."""
+    """A finder for `sys.meta_path` that finds this folder's files, and empty packages in place of the two real ones."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Find a file in this folder or one of its two packages, as part of the import protocol.
+        """Return the spec of a file in this folder or of an empty package, as part of the import protocol.
 
         Return None for all other names.
         """
@@ -34,7 +34,7 @@ class SiblingFinder:
 
 
 def main(name: str, arguments: list[str]) -> None:
-    """Call `main` of the file `name` with these arguments, after removing its sibling modules from `sys.modules`."""
+    """Import the file `name`, remove our modules from `sys.modules`, and call the file's `main`."""
     finder = SiblingFinder()
     sys.meta_path.insert(0, finder)
     sibling = importlib.import_module(f"{PACKAGES[-1]}.{name}")

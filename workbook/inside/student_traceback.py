@@ -1,6 +1,6 @@
-"""Print exceptions as a student would see them without the host: only the student's frames, in a single write.
+"""Print exceptions as a student would see them without the host: without our frames.
 
-If each line were a separate write, two threads that fail together would mix their lines.
+Each exception is a single write, because otherwise, two threads that fail together would mix their lines.
 """
 
 import os
@@ -22,9 +22,10 @@ STILL_RUNNING = "Still running:"
 
 
 def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary], bool]) -> str:
-    """Format an exception's traceback, with its causes, but without this folder's frames.
+    """Format an exception's traceback with its causes, but without the frames of this folder's files.
 
-    `ends_with_host`: whether a frame imported the answer. No frame up to it belongs to the answer.
+    `ends_with_host`: whether a frame is the one that imported the answer. That frame and the frames before it are left
+    out, too.
     """
     for raised in _chained(error):
         note = note_of(raised) or note_of_name(raised)
@@ -58,14 +59,17 @@ def _chained(error: BaseException) -> Iterator[BaseException]:
 
 
 def _without_a_head(told: traceback.TracebackException) -> list[str]:
-    """Return the lines without a traceback, for a file that Python couldn't read, so that no frame has run."""
+    """Return the lines without the "Traceback" heading, for an exception that has no frames, such as a SyntaxError.
+
+    If the exception has a cause or context, keep the headings.
+    """
     if told.__cause__ is not None or (told.__context__ is not None and not told.__suppress_context__):
         return list(told.format())
     return list(told.format_exception_only())
 
 
 def write(text: str) -> None:
-    """Write to standard error, if there is one, after all earlier prints."""
+    """Write `text` to standard error, if there is one, after all earlier output."""
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
             stream.flush()
@@ -87,7 +91,7 @@ def take_over_threads(show: Callable[[BaseException], str]) -> None:
 
 
 def tell_who_stays(path: str) -> None:
-    """Report the threads that keep the program at `path` from ending, with each one's current line."""
+    """Print which threads keep the program at `path` from ending, with each thread's current line in it."""
     until = time.monotonic() + PATIENCE_WITH_THREADS_S
     others = [
         one for one in threading.enumerate() if one is not threading.current_thread() and not one.daemon

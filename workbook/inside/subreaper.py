@@ -2,8 +2,8 @@
 
     python -I -S run.py subreaper PARENT COMMAND...
 
-It ends them when the command or the process PARENT ends, even if PARENT is killed. A bubblewrap sandbox also ends with
-its owner, but not during the first part of its start. An owner killed then would leave it behind forever.
+This process ends them when the command or the process PARENT ends, even if PARENT is killed. A bubblewrap sandbox also
+ends with its owner, except while it's starting. If the owner were killed then, the sandbox would stay forever.
 """
 
 import os
@@ -15,11 +15,14 @@ from workbook.inside.libc import set_parent_death_signal
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 
 HEARD = {signal.SIGTERM, signal.SIGCHLD, signal.SIGINT}
-"""The command handles interrupts. This process ends after the command."""
+"""The signals that this process waits for. It ignores SIGINT, which the command handles, and ends after the command."""
 
 
 def run_and_reap(parent: int, command: list[str]) -> int:
-    """Run `command` until it or `parent` ends. Return its exit code, as `os.waitstatus_to_exitcode` does."""
+    """Run `command` until it or the process `parent` ends, and end all leftover processes.
+
+    Return the command's exit code, as `os.waitstatus_to_exitcode` does; -9 if `parent` ended first.
+    """
     signal.pthread_sigmask(signal.SIG_BLOCK, HEARD)
     adopt_orphans()
     set_parent_death_signal(signal.SIGTERM)
@@ -40,7 +43,7 @@ def run_and_reap(parent: int, command: list[str]) -> int:
 
 
 def end_alike(code: int) -> None:
-    """End this process like the command: with its exit code, or by its signal."""
+    """End this process like the command: with the same exit code, or by the same signal (a negative code)."""
     if code < 0:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         signal.pthread_sigmask(signal.SIG_UNBLOCK, HEARD)

@@ -1,7 +1,7 @@
 """Kill every process of a user id: `python -I -S run.py sweeper ID OWN_ID`, as root.
 
-It acts with the programs' user id, so one call of `kill` reaches all of them, and none can escape by forking. Its real
-user id is a different one, so no program may signal it.
+This process acts with the programs' user ID, so one call of `kill` reaches all of them, and none can escape by forking.
+Its real user ID is a different one, so no program may signal this process.
 """
 
 import os
@@ -11,20 +11,22 @@ import sys
 from workbook.inside.proc import status
 
 RANGES = ((1_900_000_000, 100_000), (60_600, 480))
-"""First id and count of each range. Neither distributions nor container managers create accounts there. The second
-range is for containers that have only 65536 ids.
+"""The first ID and the number of IDs of each range for running programs.
+
+Neither distributions nor container managers create accounts in these ranges. The second range is for containers that
+have only 65536 IDs.
 """
 
 
 def is_ours(user: int) -> bool:
-    """Return whether an id is in the ranges for running programs."""
+    """Return whether a user ID is in the ranges for running programs."""
     return any(first <= user < first + count for first, count in RANGES)
 
 
 def act_as(user: int, own: int) -> None:
-    """Switch to both ids permanently.
+    """Switch to the effective user ID `user` and the real user ID `own` permanently.
 
-    Raises PermissionError unless the kernel confirms that this process can't reach any other processes.
+    Raises PermissionError unless the kernel confirms that this process can't reach other users' processes.
     """
     if not is_ours(user) or not is_ours(own):
         raise PermissionError(f"{user} and {own} are not ids that programs are run under")
@@ -39,7 +41,7 @@ def act_as(user: int, own: int) -> None:
 
 
 def end_all(user: int, own: int) -> None:
-    """Kill every process of `user`, after changing this process's ids permanently. Raises PermissionError."""
+    """Kill every process of `user`, after changing this process's user IDs permanently. Raises PermissionError."""
     act_as(user, own)
     try:
         os.kill(-1, signal.SIGKILL)
@@ -48,7 +50,7 @@ def end_all(user: int, own: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Kill every process of a user. The arguments are the user id and our own id. On failure, exit with a message."""
+    """Kill every process of a user. The arguments are that user's ID and our own. On failure, exit with a message."""
     try:
         end_all(int(arguments[0]), int(arguments[1]))
     except OSError as error:

@@ -35,7 +35,7 @@ INTO_THE_KERNEL = {
     "io_uring_register": 427,
 }
 OF_THE_WHOLE_MACHINE = {"io_setup": 206}
-"""Their objects count toward a machine-wide limit (/proc/sys/fs/aio-max-nr), which one answer could use up."""
+"""Calls whose objects count toward a machine-wide limit (/proc/sys/fs/aio-max-nr), which one answer could use up."""
 NAME_SPACES = {"unshare": 272, "setns": 308}
 MOUNTING = {
     "pivot_root": 155,
@@ -73,9 +73,9 @@ UNCOUNTED_MEMORY = {
     "memfd_create": 319,
     "memfd_secret": 447,
 }
-"""Memory that no process holds, or that remains after a process has unmapped it, so no limit counts it."""
+"""Calls that use memory that no limit counts: no process holds it, or it remains after a process has unmapped it."""
 NEWS_OF_FILES = {"inotify_init": 253, "inotify_init1": 294, "fanotify_init": 300}
-"""With these, every sandbox that sees a file could notice when another process opens it."""
+"""Calls that would tell any sandbox that sees a file when another process opens that file."""
 LOCKS = {"flock": 73}
 OF_ONE_PROCESS = {"prlimit64": 302}
 SCHEDULING_OF_ONE = {
@@ -84,7 +84,7 @@ SCHEDULING_OF_ONE = {
     "sched_setaffinity": 203,
     "sched_setattr": 314,
 }
-"""Calls whose first argument is the process that they change; zero is the caller itself."""
+"""Calls whose first argument is the ID of the process that they change; zero means the caller itself."""
 SETPRIORITY, IOPRIO_SET = 141, 251
 MMAP, SOCKET, SOCKETPAIR, SETSOCKOPT, FCNTL = 9, 41, 53, 54, 72
 FAMILIES = {"AF_UNIX": 1, "AF_INET": 2, "AF_INET6": 10, "AF_NETLINK": 16}
@@ -103,7 +103,7 @@ FILE_LOCKS = {
     "F_NOTIFY": 1026,
 }
 PIPE_SIZE = {"F_SETPIPE_SZ": 1031}
-"""All of a user's pipes share one limit. Beyond it, other answers' pipes hold only a page or two."""
+"""All of a user's pipes share one limit on their size. Beyond it, other answers' pipes hold only a page or two."""
 PERMISSIONS = {"chmod": 90, "fchmod": 91, "fchmodat": 268, "fchmodat2": 452}
 OWNERS = {"chown": 92, "fchown": 93, "lchown": 94, "fchownat": 260}
 TIMES = {"utime": 132, "utimes": 235, "futimesat": 261, "utimensat": 280}
@@ -137,8 +137,8 @@ def knows_this_machine() -> bool:
 def filter_problem() -> str:
     """Return why no system call filter can be installed on this machine, as a clause; empty if one can.
 
-    If the kernel has filters and lets this process install one, it first reads the filter. Because we pass none, it
-    fails with EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
+    A kernel that lets this process install a filter first reads the filter. Because we pass none, that fails with
+    EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
     """
     if not knows_this_machine():
         return f"the filter does not know the system calls of this machine ({os.uname().machine})"
@@ -180,14 +180,17 @@ def not_zero(*arguments: int) -> list[Step]:
 
 
 def _load(argument: int) -> Step:
-    """Load the lower half of an argument. For the arguments that we test, the kernel ignores the upper half."""
+    """Return a step that loads an argument's lower half.
+
+    For the arguments that we test, the kernel ignores the upper half.
+    """
     return (BPF_LOAD_WORD, 0, 0, 16 + 8 * argument)
 
 
 def case(number: int, error: int, *conditions: list[Step]) -> list[Step]:
-    """Return steps that make the call with this number fail with `error` (0: do nothing and report success).
+    """Return steps that make the system call `number` fail with `error`; with 0, it does nothing and reports success.
 
-    If there are `conditions`, the steps apply only if all of them are true.
+    If there are `conditions`, such as from `one_of`, the steps apply only if all of them are true.
     """
     body = [step for condition in conditions for step in condition]
     body.append((BPF_RETURN, 0, 0, SECCOMP_ERRNO | error))
@@ -199,8 +202,8 @@ def compiled(
 ) -> bytes:
     """Return a filter in the kernel's binary format, for `install` or for bubblewrap.
 
-    The system calls with the numbers in `refused` fail. Those in `without_effect` do nothing and report success.
-    `cases`: more of both (see `case`), at most one per number.
+    The system calls with the numbers in `refused` fail with EPERM. Those in `without_effect` do nothing and report
+    success. `cases`: the rules for further calls (see `case`), at most one per number.
     """
     steps: list[Step] = [
         (BPF_LOAD_WORD, 0, 0, 4),  # the architecture
@@ -219,9 +222,9 @@ def compiled(
 
 
 def install(program: bytes) -> None:
-    """Install a program from `compiled` as the system call filter of this thread and its descendants.
+    """Install a filter from `compiled` as the system call filter of this thread and its descendants.
 
-    Call `drop_capabilities` or an equivalent first. Raises OSError if the kernel has no such filters.
+    Call `drop_capabilities` or `forbid_new_rights` first. Raises OSError if the kernel has no such filters.
     """
     code = ctypes.create_string_buffer(program, len(program))
     steps = _Filter(len(program) // STEP_BYTES, ctypes.addressof(code))
@@ -229,10 +232,10 @@ def install(program: bytes) -> None:
 
 
 def bounded_memory() -> list[list[Step]]:
-    """Return cases for `compiled` that, together with UNCOUNTED_MEMORY, keep all memory countable.
+    """Return cases for `compiled` that, together with UNCOUNTED_MEMORY, block memory that isn't counted.
 
-    Shared memory without a file exists as a whole while one of its pages is mapped. Bytes sent to an unread socket are
-    held for their sender, up to the size of the send buffer, which keeps the machine's default.
+    Shared memory without a file stays allocated as a whole while one of its pages is mapped. Unread bytes in a socket
+    use memory up to the size of the sender's buffer, which therefore stays at the machine's default.
     """
     families = FAMILIES.values()
     return [
@@ -246,8 +249,8 @@ def bounded_memory() -> list[list[Step]]:
 def others_left_alone() -> list[list[Step]]:
     """Return cases for `compiled` that keep a program from changing other processes' limits and priorities.
 
-    These processes may belong to the same user, so a program could end its judge by taking away its CPU time. Libraries
-    set their own threads' scheduling by number, so that call does nothing and reports success.
+    These processes may belong to the same user, so a program could stop its judge by taking away the judge's CPU time.
+    Libraries set their threads' scheduling by thread ID, so those calls do nothing and report success.
     """
     limits = [case(number, errno.EPERM, not_zero(0)) for number in OF_ONE_PROCESS.values()]
     scheduling = [case(number, 0, not_zero(0)) for number in SCHEDULING_OF_ONE.values()]
@@ -260,11 +263,12 @@ def others_left_alone() -> list[list[Step]]:
 
 
 def against_sandbox_escapes() -> bytes | None:
-    """Compile a filter against calls with which programs escape from sandboxes, meet in two, or hide memory.
+    """Compile a filter of calls that programs could use to escape from sandboxes, to communicate, or to hide memory.
 
-    Sandboxes share the interpreter's files, so no program may lock or watch a file. A sandbox's devices are the
-    machine's, and belong to root. If we run as root, an answer could change their permissions and times, so these calls
-    only report success. Return None if no filter can be installed; `filter_problem` gives the reason.
+    Sandboxes share the interpreter's files, so no program may lock or watch a file. A sandbox also shares the machine's
+    devices, which belong to root. If we run as root, an answer could change the devices' permissions and times, so the
+    calls for that do nothing and report success. Return None if no filter can be installed; `filter_problem` gives the
+    reason.
     """
     if filter_problem():
         return None
@@ -280,7 +284,7 @@ def against_sandbox_escapes() -> bytes | None:
 
 
 def filter_sandbox_escapes() -> None:
-    """Refuse the calls of `against_sandbox_escapes`, permanently. Raises OSError.
+    """Install the filter from `against_sandbox_escapes` permanently. Raises OSError.
 
     If `filter_problem` gives a reason, no filter is installed, and the answer's result reports that. The filter is a
     second line of defense behind the sandbox's namespaces.
@@ -291,7 +295,7 @@ def filter_sandbox_escapes() -> None:
 
 
 def filter_permission_changes() -> None:
-    """Block all calls that change files' permissions, owners, or times, or that affect other processes.
+    """Block calls that change files' permissions, owners, or times, affect processes, or use uncounted memory.
 
     Calls that change permissions, owners, or times report success, so that copying a file causes no error. Raises
     OSError.
@@ -303,7 +307,7 @@ def filter_permission_changes() -> None:
 
 
 def filter_uncounted_memory() -> None:
-    """Block the calls that use memory which no limit counts. Raises OSError.
+    """Block the calls that use memory that no limit counts. Raises OSError.
 
     If `filter_problem` gives a reason, no filter is installed, and the answer's result reports that.
     """
@@ -314,5 +318,5 @@ def filter_uncounted_memory() -> None:
 
 
 def numbers(*groups: dict[str, int]) -> list[int]:
-    """Return the numbers of the calls in these groups."""
+    """Return the numbers of the system calls in these groups, such as `KEYS`."""
     return [number for group in groups for number in group.values()]

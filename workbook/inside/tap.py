@@ -1,8 +1,8 @@
 """Report this process's messages and responses to the panel next to the notebook, while a panel is open.
 
-The panel must not subscribe, because lessons count subscriptions, wait for them, and lose messages that are published
-earlier. So each of a notebook's processes reports its own messages on an abstract Unix socket named after the ROS
-domain. Without a panel, no process listens there, and each message costs only a check of the clock.
+The panel must not subscribe, because lessons count subscriptions, wait for them, and show that earlier messages are
+lost. So each of a notebook's processes reports its own messages on an abstract Unix socket named after the ROS domain.
+Without a panel, no process listens there, and each message costs only a check of the clock.
 """
 
 import json
@@ -18,15 +18,13 @@ OF_EACH_NODE = ("rcl_interfaces/", "type_description_interfaces/")
 LOOK_EVERY_S = 0.5
 """How often (s) to check whether a panel listens."""
 AT_ONCE, PER_SECOND = 50, 25
-"""The limits for reporting a publisher's messages in full: a burst, and then a rate per second. All messages are
-counted.
-"""
+"""The most messages of a publisher to report in full: in a burst, and then per second. All messages are counted."""
 LONGEST = 100_000
 """The size (bytes) up to which a message is reported in full. For a longer one, only its arrival is reported."""
 
 
 class _Publisher:
-    """The data kept for a publisher."""
+    """The tap's data about one publisher or service."""
 
     def __init__(self, topic: str, type_name: str) -> None:
         self.topic = topic
@@ -36,7 +34,7 @@ class _Publisher:
         self.counted_at = 0.0
 
     def may_report(self, now: float) -> bool:
-        """Count this message, and return whether it's also reported in full."""
+        """Count a message sent at `now` (`time.monotonic`, s), and return whether it may be reported in full."""
         self.unreported += 1
         self.allowance = min(AT_ONCE, self.allowance + PER_SECOND * (now - self.counted_at))
         self.counted_at = now
@@ -52,7 +50,7 @@ class Tap:
         self._looked = -LOOK_EVERY_S
 
     def published(self, publisher: Any, message: Any) -> None:
-        """Report a message. No error here may affect the program."""
+        """Report a published message. Suppress all exceptions, so that the program isn't affected."""
         try:
             now = time.monotonic()
             kept = publisher.__dict__.get("_workbook_tap") or _known_publisher(publisher)
@@ -63,7 +61,7 @@ class Tap:
             self._socket = None
 
     def responded(self, service: Any, response: Any) -> None:
-        """Report a service's response, as a message on the service's name."""
+        """Report a service's response, like a message on a topic with the service's name."""
         try:
             now = time.monotonic()
             kept = service.__dict__.get("_workbook_tap") or _known_service(service)

@@ -2,9 +2,9 @@
 
     tier_probe.py FILE PID PORT
 
-It runs like an answer, so it needs only rclpy. FILE must not be readable, and the process PID must not accept its
-signals. PORT is a TCP port with a listener on this machine. The results are published repeatedly on /tier_probe, as a
-String that contains JSON.
+The tier runs this file like an answer, so it needs only rclpy. FILE must not be readable for it, and the process PID
+must not accept its signals. PORT is a TCP port on which a process of this machine listens. The results are published
+repeatedly on /tier_probe, as a String that contains JSON.
 """
 
 import json
@@ -18,7 +18,7 @@ from std_msgs.msg import String
 
 
 def works(attempt: Callable[[], object]) -> bool:
-    """Return whether a call succeeds, that is, doesn't raise an OSError."""
+    """Return whether calling `attempt` succeeds, that is, doesn't raise OSError."""
     try:
         attempt()
     except OSError:
@@ -27,7 +27,7 @@ def works(attempt: Callable[[], object]) -> bool:
 
 
 def findings(file: str, pid: int, port: int) -> dict[str, object]:
-    """Return this process's abilities, by name."""
+    """Return what this process can do, and its user and group IDs, by name."""
     with open("/proc/self/status") as status:
         facts = dict(line.split(":", 1) for line in status)
     beside = os.path.join(os.path.dirname(__file__), "beside")

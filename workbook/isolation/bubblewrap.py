@@ -17,28 +17,31 @@ ANSWER_FOLDER = "/answer"
 WRITABLE = ("/tmp", "/dev/shm", HOME)
 WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
 READ_ONLY = ("/", "/dev", "/dev/pts", "/proc")
-"""The sandbox's own mounts, which must be read-only.
+"""The mounts that bubblewrap itself creates, which must be made read-only.
 
-Two of them have no size limit. A process with root's user id may write to files below /proc/sys, even without
-capabilities. An answer has that id if the judge runs as root.
+Two of them have no size limit. Also, a process with root's user ID may write to files in /proc/sys, even without
+capabilities. An answer has that ID if the judge runs as root.
 """
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
 WAITS = ("/bin/sh", "-c", "echo ready && exec >&- && while :; do sleep infinity & wait; done")
-"""The shell exits if no process reads its "ready", because the reader was killed before the sandbox was tied to it.
-While the shell waits, it reaps all processes that end below it.
+"""The command that an empty sandbox runs.
+
+The shell exits if no process reads its "ready", because the reader was killed before the sandbox was tied to it. While
+the shell waits, it reaps the sandbox's processes that end.
 """
 _SELF_TEST_S = 10.0
 
 
 class NoSandbox(RuntimeError):
-    """Programs can't be sandboxed on this machine. The message says why and what to do."""
+    """Programs can't be sandboxed on this machine. The message says why, and what to do about it."""
 
 
 def outer_command(command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """Return a command that runs `command` with its own network, read-only files, and a private /dev/shm.
+    """Return a command that runs `command` with a separate network, read-only files, and a private /dev/shm.
 
-    Only for children of this process: the sandbox ends with this process and with the thread that starts it. `groups`:
-    the folder for memory cgroups, the only place on the machine that `command` may write to. Raises NoSandbox.
+    This process itself must start the command, because the sandbox ends as soon as this process or the thread that
+    started it ends. `groups`: the folder for memory cgroups, which is the only folder of the machine that `command` may
+    write to; None if there are none. Raises NoSandbox.
     """
     return [
         *(sys.executable, "-I", "-S", str(RUN), "subreaper", str(os.getpid())),
@@ -49,8 +52,8 @@ def outer_command(command: Sequence[str], groups: Path | None = None) -> list[st
 def empty_outer_command(info_fd: int, groups: Path | None = None) -> list[str]:
     """Return a command for an empty outer sandbox. It prints "ready", and stays until its first process is killed.
 
-    `info_fd`: the descriptor to which bubblewrap writes that process's id. It must run within another outer sandbox
-    (see `outer_command`). Raises NoSandbox.
+    The command must run within another outer sandbox (see `outer_command`). `info_fd`: the descriptor to which
+    bubblewrap writes the first process's ID. Raises NoSandbox.
     """
     return _outer(WAITS, groups, ("--info-fd", str(info_fd)))
 
@@ -58,7 +61,8 @@ def empty_outer_command(info_fd: int, groups: Path | None = None) -> list[str]:
 def _outer(command: Sequence[str], groups: Path | None, options: Sequence[str] = ()) -> list[str]:
     """Return the command for an outer sandbox.
 
-    Its /proc must stay the machine's, because otherwise the kernel refuses a new one in the inner sandbox.
+    The sandbox keeps the machine's /proc, because otherwise, the kernel refuses to mount a new one in the inner
+    sandbox.
     """
     writable = [] if groups is None else ["--bind", str(groups), str(groups)]
     setting = [word for name, value in OUTER_ENVIRONMENT.items() for word in ("--setenv", name, value)]
@@ -85,10 +89,12 @@ def inner_command(
 ) -> list[str]:
     """Return a command that runs `command` in a sandbox for one program. Raises NoSandbox.
 
-    `files`: descriptors of the files to copy to the answer's folder, by name; a mount would reveal the original path.
-    `readable`: other files that it may read, in addition to the system's folders. `environ`: its complete environment.
-    `options`: further bubblewrap options. /dev/full replaces /dev/zero, because it reads the same but provides no
-    shared memory, which wouldn't be counted. There are no terminals, because all sandboxes would share their number.
+    `files`: descriptors of the files to copy to the answer's folder, by name. They're copied, because a mount would
+    reveal the original path. `readable`: other files that the program may read, in addition to the system's files.
+    `environ`: the program's complete environment. `options`: further bubblewrap options.
+
+    /dev/full replaces /dev/zero: reading it gives the same zeros, but it provides no shared memory, which wouldn't be
+    counted. There are no terminals, because all sandboxes would share one limit on their number.
     """
     sandboxed = [
         _bwrap(),
@@ -114,7 +120,7 @@ def inner_command(
 
 
 def system_files() -> list[str]:
-    """Return options that mount the system files that every program needs, read-only."""
+    """Return bubblewrap options that mount the system files that every program needs, read-only."""
     options = []
     for folder in SYSTEM_FOLDERS:
         path = Path(folder)
@@ -129,7 +135,7 @@ def system_files() -> list[str]:
 
 @cache
 def sandbox_problem() -> str | None:
-    """Return why programs can't be sandboxed here, and what to do; None if they can. The first call tries it."""
+    """Return why programs can't be sandboxed here, and how to fix it; None if they can. The first call tries it."""
     if shutil.which("bwrap") is None:
         return "bubblewrap is not installed (apt install bubblewrap)"
     read_fd, write_fd = os.pipe()

@@ -1,4 +1,4 @@
-"""Add a memory cgroup per program to any tier."""
+"""Add a memory cgroup for each program to any tier."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -11,7 +11,7 @@ from workbook.recording.limits import Limits
 
 @dataclass
 class GroupedProgram:
-    """A program in another tier's confinement, and in its own group below `folder`.
+    """Runs a program in another tier's confinement, and in a separate group inside the group `folder`.
 
     See `workbook.programs.tier.Confinement`.
     """
@@ -21,11 +21,11 @@ class GroupedProgram:
     _group: MemoryGroup | None = field(default=None, init=False)
 
     def bring(self, file: Path, name: str) -> str:
-        """Let the tier bring a file."""
+        """Make the file readable as the tier does, and return its path."""
         return self.confined.bring(file, name)
 
     def host_options(self, limits: Limits) -> list[str]:
-        """Return the tier's options."""
+        """Return the options of the tier's confinement."""
         return self.confined.host_options(limits)
 
     def start(self, order: Order) -> Started:
@@ -39,35 +39,35 @@ class GroupedProgram:
         return self.confined.start(replace(order, cgroup_join_file=self._group.joins))
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Return the tier's result."""
+        """Return the result of the tier's confinement."""
         return self.confined.most_files(pids)
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Return the tier's result."""
+        """Return the result of the tier's confinement."""
         return self.confined.stored_bytes(pids)
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return the tier's result."""
+        """Return the result of the tier's confinement."""
         return self.confined.sockets(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return the tier's result."""
+        """Return the result of the tier's confinement."""
         return self.confined.queued_bytes(worth_counting)
 
     def exceeded(self) -> str | None:
-        """Return which of the group's limits the program has exceeded; None if there's no group or no such limit."""
+        """Return the limit of its group that the program has exceeded; None if it exceeded none or has no group."""
         return None if self._group is None else self._group.exceeded()
 
     def unfiltered(self) -> str:
-        """Return the tier's reason."""
+        """Return the tier's reason why system calls aren't filtered; empty if there's none."""
         return self.confined.unfiltered()
 
     def sweep(self) -> bool:
-        """Let the tier sweep."""
+        """End leftover processes as the tier does, and return its result."""
         return self.confined.sweep()
 
     def remove(self) -> None:
-        """Let the tier clean up, and then remove the group."""
+        """Clean up as the tier does, and then remove the group."""
         self.confined.remove()
         if self._group is not None:
             self._group.remove()
@@ -75,11 +75,14 @@ class GroupedProgram:
 
 @dataclass(frozen=True)
 class GroupedTier:
-    """Adds a group to each program of `tier`; see `workbook.programs.tier.Tier`. `folder`: a slot's group."""
+    """Runs each program of `tier` in a separate memory cgroup inside a slot's group, `folder`.
+
+    See `workbook.programs.tier.Tier`.
+    """
 
     tier: Tier
     folder: Path
 
     def confine(self, scratch: Path) -> Confinement:
-        """Return the tier's confinement, in a new group."""
+        """Return the tier's confinement, extended by a group that `start` creates."""
         return GroupedProgram(self.tier.confine(scratch), self.folder)

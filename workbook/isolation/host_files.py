@@ -9,7 +9,7 @@ SYSTEM_FOLDERS = ("/usr", "/lib", "/lib64", "/bin", "/sbin")
 SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime", "/etc/alternatives")
 PATH_OF_PROGRAMS = "/usr/bin:/bin"
 NOT_FOR_ANSWERS = ("WORKBOOK_RUN", "XDG_CACHE_HOME")
-"""The judge's variables that would reveal to a program that it's being judged."""
+"""The judge's environment variables that would reveal to a program that it's being judged."""
 HOST_FILES = (
     "run.py",
     "host.py",
@@ -26,9 +26,9 @@ _PACKAGE = Path(__file__).resolve().parents[1]
 
 
 def interpreter_folders() -> tuple[Path, ...]:
-    """Return the folders of Python, its packages, the host, and the answer's files.
+    """Return the paths of Python, its packages, the host's files, and the parts that an answer may import.
 
-    No other folder of the course is included.
+    No other file of the course is included, except the DDS profile.
     """
     ours = (*(_PACKAGE / "inside" / name for name in HOST_FILES), *given_files())
     profile = _PACKAGE / "ros" / "loopback.xml"
@@ -46,7 +46,7 @@ def given_files() -> tuple[Path, ...]:
 
 
 def closed_folder() -> Path | None:
-    """Return a folder on the path to Python or its packages that other users may not enter; None if there's none."""
+    """Return a folder that other users may not enter, on the way to a path that programs need; None if there's none."""
     for place in (*interpreter_folders(), Path(sys.executable), Path(sys.executable).resolve()):
         for folder in reversed(place.parents):
             if not os.stat(folder).st_mode & stat.S_IXOTH:

@@ -1,4 +1,4 @@
-"""The tier "landlock": the kernel hides all files that a program doesn't need. It also works for ordinary users."""
+"""The "landlock" tier: the kernel hides all files that a program doesn't need. It works without root, too."""
 
 import os
 import shutil
@@ -35,8 +35,8 @@ NOT_FOR_OTHER_USERS = (*NOT_FOR_ANSWERS, "USER", "LOGNAME")
 class ConfinedProgram:
     """A program that `inside/confine.py` confines before it starts. See `workbook.programs.tier.Confinement`.
 
-    It reads its files from a separate folder (`files`), and may write to `scratch`. `hides_files`: whether Landlock
-    hides other files.
+    The program reads its files from a separate folder (`files`), and may write to its working folder (`scratch`).
+    `hides_files`: whether Landlock hides all other files.
     """
 
     scratch: Path
@@ -65,7 +65,7 @@ class ConfinedProgram:
         )
 
     def environment(self, environ: Mapping[str, str]) -> dict[str, str]:
-        """Return the program's environment."""
+        """Return the program's environment, without the judge's variables, and with paths that the program can read."""
         inside = {name: value for name, value in environ.items() if name not in NOT_FOR_OTHER_USERS}
         inside |= {name: str(self.scratch) for name in ("HOME", "TMPDIR", "ROS_LOG_DIR")}
         inside["PATH"] = PATH_OF_PROGRAMS
@@ -77,9 +77,9 @@ class ConfinedProgram:
         return inside
 
     def give(self) -> Path:
-        """Create a package `workbook` from the parts that an answer may import. Return its folder.
+        """Create a `workbook` package of links to the parts that an answer may import. Return its folder.
 
-        To find a package, Python lists the folder that contains it, but the course's folder is hidden.
+        To find a package, Python lists the folder that contains it, but the course's folder is hidden from the answer.
         """
         package = self.files / "given" / "workbook"
         package.mkdir(parents=True, exist_ok=True)
@@ -119,7 +119,7 @@ class ConfinedProgram:
         return proc.sockets_open(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return zero, because the program uses the machine's network, whose sockets aren't only its own."""
+        """Return zero, because the program shares the machine's network with other programs."""
         return 0
 
     def exceeded(self) -> str | None:
@@ -140,7 +140,7 @@ class ConfinedProgram:
 
 
 class LandlockTier:
-    """See `workbook.programs.tier.Tier`. `LimitsTier` describes what it requires of this process."""
+    """The "landlock" tier. See `workbook.programs.tier.Tier`, and `LimitsTier` for the requirements on this process."""
 
     def confine(self, scratch: Path) -> Confinement:
         """Return a confinement with a separate folder for the files that the program reads."""

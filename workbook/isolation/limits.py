@@ -1,4 +1,4 @@
-"""The tier "limits": it limits resources, and kills the processes that a program leaves behind."""
+"""The "limits" tier: it limits resources, and kills the processes that a program leaves behind."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -13,7 +13,7 @@ from workbook.programs.unconfined import UnconfinedProgram
 
 @dataclass(frozen=True)
 class LimitedProgram(UnconfinedProgram):
-    """See `workbook.programs.tier.Confinement`. The program's temporary files are removed with its folder."""
+    """A program with limits, in a folder that's removed with its files. See `workbook.programs.tier.Confinement`."""
 
     @cached_property
     def written(self) -> WrittenFiles:
@@ -22,11 +22,11 @@ class LimitedProgram(UnconfinedProgram):
 
     @cached_property
     def shared(self) -> SharedMemory:
-        """Measures the shared memory that has appeared since the program began."""
+        """Measures the shared memory that has been allocated since the program was started."""
         return SharedMemory()
 
     def start(self, order: Order) -> Started:
-        """See `UnconfinedProgram`. Temporary files go to the program's working folder."""
+        """Start the program like the base class, but with its working folder as the folder for temporary files."""
         assert self.shared  # remember the files from before it began, which aren't its own
         return super().start(replace(order, environ={**order.environ, "TMPDIR": str(self.scratch)}))
 
@@ -45,7 +45,7 @@ class LimitedProgram(UnconfinedProgram):
 
 
 class LimitsTier:
-    """See `workbook.programs.tier.Tier`.
+    """The "limits" tier. See `workbook.programs.tier.Tier`.
 
     This process must adopt the processes that programs leave behind (see `adopt_orphans`). Its only other child may be
     its fork server.

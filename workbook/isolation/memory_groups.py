@@ -1,10 +1,10 @@
-"""Use memory cgroups, with which the kernel counts all of an answer's memory and ends the answer at the limit.
+"""Use memory cgroups: the kernel then counts all of an answer's memory, and ends the answer at the limit.
 
-The kernel also counts memory that polling misses: files in memory, shared memory, pipes, page tables, and sockets. All
-groups of a `workbook grade` are below its own group, so that group's limits also apply to its answers. `group_keeper`
-creates one group there, and removes it even if our process is killed. It contains a group per slot (`lease_groups`),
-which contains a group per answer. If that isn't possible, `groups_problem` gives the reason. Then the judge polls
-resident and shared memory instead.
+The kernel also counts memory that polling misses: files in memory, shared memory, pipes, page tables, and sockets.
+`group_keeper` creates a group inside our process's own group, and removes it even if our process is killed. So our own
+group's limits also apply to the answers. That group contains a group for each slot (`lease_groups`), which contains a
+group for each answer. If that isn't possible, `groups_problem` gives the reason, and the judge polls resident and
+shared memory instead.
 """
 
 import atexit
@@ -37,14 +37,15 @@ from workbook.recording.limits import ANSWER_LIMITS, Limits
 
 PREFIX = "rclpy-workbook-"
 LEAF = "grader-of-rclpy-workbook"
-"""Our own group in cgroup v2. It's needed because a group with processes can't divide its memory among subgroups."""
+"""The group that we move to in cgroup v2, because a group that contains processes can't limit its subgroups' memory."""
 SOCKETS_FACTOR = 2
-"""The factor between the kernel's limit on socket memory and the judge's. It lets the judge report the excess."""
+"""The kernel's limit on socket memory, as a multiple of the judge's. It's higher, so that the judge can report the
+excess."""
 _JOIN = ("/bin/sh", "-c", 'echo 0 >"$0"')
 _JOIN_S = 10.0
 _DELEGATE = "systemd-run --user --scope -p Delegate=memory workbook grade …"
 _once = threading.RLock()
-"""Slots start in parallel. The first one creates their shared group while the others wait."""
+"""Slots start in parallel. The first slot creates the group that they share, while the others wait for this lock."""
 
 
 class NoMemoryGroups(RuntimeError):
@@ -61,7 +62,7 @@ class Hierarchy:
 
 
 def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierarchy:
-    """Find the hierarchy that counts memory, using two of the kernel's tables. Raises NoMemoryGroups."""
+    """Find the cgroup hierarchy that counts memory, using two of the kernel's tables. Raises NoMemoryGroups."""
     memberships = own_groups(groups)
     first = [path for _, controllers, path in memberships if "memory" in controllers.split(",")]
     second = [path for number, controllers, path in memberships if number == "0" and not controllers]
@@ -77,7 +78,7 @@ def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierar
 
 
 class MemoryGroup:
-    """One answer's group, with its limits. Raises OSError if the kernel doesn't grant one."""
+    """The group of one answer, with the answer's limits. Raises OSError if the kernel doesn't allow it."""
 
     def __init__(self, folder: Path, limits: Limits) -> None:
         self.version = version_of(str(folder))
@@ -93,7 +94,7 @@ class MemoryGroup:
 
     @property
     def joins(self) -> str:
-        """The file to which a process writes "0" to join. Version 1 has one that doesn't lock all processes."""
+        """The file to which a process writes "0" to join. In version 1, it's one that doesn't lock all processes."""
         return str(self.path / ("tasks" if self.version == 1 else "cgroup.procs"))
 
     def _limit(self) -> None:
@@ -112,7 +113,7 @@ class MemoryGroup:
                 write(str(self.path / "memory.kmem.tcp.limit_in_bytes"), str(SOCKETS_FACTOR * queued))
 
     def exceeded(self) -> str | None:
-        """Return the limit that has been exceeded so far, named as in `Limits`; None if none has."""
+        """Return the name (in `Limits`) of a limit that the answer has exceeded; None if it exceeded none."""
         if self._exceeded is None:
             if self._ended_by_kernel():
                 self._exceeded = "memory"
@@ -137,13 +138,13 @@ class MemoryGroup:
         return number_in(self.path / "memory.stat", "kernel")  # zero before Linux 5.18
 
     def remove(self) -> None:
-        """Check the limits one last time, end the group's remaining processes, and remove the group."""
+        """Check the limits one last time, kill the group's remaining processes, and remove the group."""
         self.exceeded()
         remove_group(str(self.path))
 
 
 def number_in(path: Path, name: str = "") -> int:
-    """Return the number in a group's file, or after `name` in a table; zero if there's none."""
+    """Return the number in one of the kernel's files, or after `name` in a table; zero if there's none."""
     try:
         rows = [line.split() for line in read_text(str(path)).splitlines()]
         return next((int(row[-1]) for row in rows if not name or row[0] == name), 0)
@@ -152,7 +153,7 @@ def number_in(path: Path, name: str = "") -> int:
 
 
 class LeasedGroups:
-    """A slot's group, below `above`, which contains its answers' groups. Raises OSError.
+    """A slot's group, inside the group `above`. It contains the groups of the slot's answers. Raises OSError.
 
     `given_back` is called once, after the group has been removed.
     """
@@ -168,14 +169,14 @@ class LeasedGroups:
         self._given_back.append(given_back)
 
     def remove(self) -> None:
-        """End the group's remaining processes, and remove the group."""
+        """Kill the group's remaining processes, and remove the group."""
         remove_group(str(self.path))
         while self._given_back:
             self._given_back.pop()()
 
 
 class KeptGroup:
-    """A group below `own` that's removed by `close`, or when this process ends. Raises NoMemoryGroups."""
+    """A group inside `own` that's removed by `close`, or when this process ends. Raises NoMemoryGroups."""
 
     def __init__(self, own: Path) -> None:
         self._owner = os.getpid()
@@ -196,7 +197,7 @@ class KeptGroup:
         self.path = Path(told)
 
     def close(self) -> None:
-        """Let the keeper remove the group, and wait for that. In a fork of this process, do nothing."""
+        """Have the keeper remove the group, and wait until it's done. In a fork of this process, do nothing."""
         if self._owner == os.getpid():
             self._keeper.communicate()
             forget(self._keeper.pid)
@@ -205,7 +206,7 @@ class KeptGroup:
 def lease_groups() -> LeasedGroups | None:
     """Return a group for one slot; None if that's impossible (see `groups_problem`).
 
-    When the last group is removed, the groups' keeper also ends.
+    When the last leased group is removed, the group that contains them is removed, too.
     """
     if groups_problem() is not None:
         return None
@@ -219,9 +220,9 @@ def lease_groups() -> LeasedGroups | None:
 
 
 def groups_problem() -> str | None:
-    """Return why answers get no memory cgroup here; None if they do. The first call tries it with a group.
+    """Return why answers get no memory cgroup here; None if they do.
 
-    It also removes the groups that killed processes left behind.
+    The first call tries to create a group. It also removes the groups that killed processes left behind.
     """
     with _once:
         return _groups_problem()
@@ -247,9 +248,9 @@ def groups_in_words() -> str:
 
 
 class _Keeper:
-    """Holds the group that contains all of this process's other groups, while it's in use.
+    """Holds the group that contains all of this process's slots' groups, while any of them is leased.
 
-    Not thread-safe.
+    It isn't thread-safe, so callers hold `_once`.
     """
 
     def __init__(self) -> None:
@@ -257,7 +258,7 @@ class _Keeper:
         self.leases = 0
 
     def kept(self) -> KeptGroup:
-        """Return the group, creating it if necessary. Raises NoMemoryGroups."""
+        """Return the group. Create it if necessary. Raises NoMemoryGroups."""
         if self._kept is None:
             self._kept = KeptGroup(prepare(find_hierarchy()))
             atexit.register(self._kept.close)
@@ -282,9 +283,10 @@ _keeper = _Keeper()
 
 
 def prepare(hierarchy: Hierarchy) -> Path:
-    """Let the groups below this process's own group count memory. Return that group. Raises NoMemoryGroups.
+    """Make the subgroups of this process's own group count memory. Return the own group. Raises NoMemoryGroups.
 
-    In version 2, this process and its descendants move to a leaf, unless the group also contains other processes.
+    In version 2, this process and its descendants may have to move to a subgroup (`LEAF`). That's impossible if the
+    group also contains other processes.
     """
     own = hierarchy.own
     if hierarchy.version == 1:
@@ -324,7 +326,7 @@ def _words(path: Path) -> list[str]:
 
 
 def try_out(above: Path) -> None:
-    """Create a group for an answer, let a process join it, and remove it. Raises NoMemoryGroups."""
+    """Create a group for an answer, have a process join it, and remove it. Raises NoMemoryGroups if that fails."""
     try:
         groups = LeasedGroups(above)
     except OSError as error:
@@ -343,7 +345,7 @@ def try_out(above: Path) -> None:
 
 
 def sweep_groups(mount: Path) -> None:
-    """Remove the groups of killed processes in the whole hierarchy."""
+    """Remove all groups that killed processes left behind, anywhere in the hierarchy mounted at `mount`."""
     waiting = [str(mount)]
     while waiting:
         for group in groups_in(waiting.pop()):

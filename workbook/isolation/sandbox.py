@@ -1,8 +1,8 @@
-"""Run bubblewrap in bubblewrap (the tier "sandbox").
+"""The "sandbox" tier: run bubblewrap in bubblewrap.
 
-The outer sandbox contains the observer, with a separate network. An inner one contains one answer, with that network,
-but without capabilities or other processes. Its only files are the interpreter and the answer, both read-only. It may
-write only to small folders in memory.
+The outer sandbox contains the observer, with a separate network. Each inner sandbox contains one answer, which uses
+that network, but has no capabilities and sees no other processes. The answer sees only the system's files, the
+interpreter, and its own files, all read-only. It may write only to small folders in memory.
 """
 
 import json
@@ -47,9 +47,10 @@ def filter_file() -> int:
 
 
 class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it. `descriptors`: the one for bubblewrap's status, and others that it needs.
+    """A sandbox with a program in it.
 
-    bubblewrap gets none of our environment or folders, because its first process in the sandbox would reveal them.
+    `descriptors`: those that bubblewrap inherits; the first one is for bubblewrap's status. The command gets neither
+    our environment nor our working folder, because bubblewrap's first process in the sandbox would reveal them.
     """
 
     def __init__(self, command: Sequence[str], order: Order, descriptors: Sequence[int]) -> None:
@@ -57,7 +58,10 @@ class SandboxedProgram(FreshProgram):
         self._info_fd = descriptors[0]
 
     def poll(self) -> int | None:
-        """Return the program's exit code (negative: a signal's number); None while bubblewrap runs."""
+        """Return the program's exit code, or None while bubblewrap is running.
+
+        A negative code is the number of the signal that ended the program.
+        """
         return exit_status(super().poll())
 
     def interrupt(self) -> None:
@@ -77,25 +81,28 @@ class SandboxedFork:
 
     @property
     def pid(self) -> int:
-        """The program's process id, as this process sees it."""
+        """The program's process ID, as this process sees it."""
         return self.program.pid
 
     def poll(self) -> int | None:
-        """Return the program's exit code (negative: a signal's number); None while it runs.
+        """Return the program's exit code, or None while it's running. Raises ServerGone.
 
-        Raises ServerGone.
+        A negative code is the number of the signal that ended the program.
         """
         return self._unless_lost(self.program.poll())
 
     def wait(self, timeout: float | None = None) -> int:
         """Wait for the program to end, and return its exit code.
 
-        Raises ServerGone, and subprocess.TimeoutExpired after `timeout` s.
+        Raises ServerGone, and subprocess.TimeoutExpired after `timeout` seconds.
         """
         return self._unless_lost(self.program.wait(timeout))
 
     def _unless_lost(self, code: Code) -> Code:
-        """Return the exit code. Raises ServerGone if the supervisor is gone, which no program in a sandbox can end."""
+        """Return the exit code.
+
+        Raises ServerGone if the supervisor ended without a report, because no program in a sandbox can end it.
+        """
         if self.program.is_lost:
             raise ServerGone("the process is gone that this program was forked from")
         return code
@@ -105,12 +112,12 @@ class SandboxedFork:
         self.program.interrupt()
 
     def tree(self) -> list[int]:
-        """Return the process ids of the program, its descendants, and the sandbox."""
+        """Return the process IDs of the program, its descendants, and the sandbox."""
         around = proc.process_tree(self.sandbox.pid)
         return [*self.program.tree(), *(around if self.sandbox.poll() is None else around[1:])]
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Wait for the sandbox to end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the sandbox to end. Raises subprocess.TimeoutExpired after `timeout` seconds."""
         self.sandbox.wait(timeout)
 
     def close(self) -> None:
@@ -122,7 +129,7 @@ class SandboxedFork:
 class Sandbox:
     """One program's sandbox. See `workbook.programs.tier.Confinement`.
 
-    `readable`: the files that a program may read in addition to its own. If there's a `server`, it forks the program
+    `readable`: the files that the program may read in addition to its own. If there's a `server`, it forks the program
     into the sandbox.
     """
 
@@ -141,7 +148,7 @@ class Sandbox:
         return [one for one in (self.info_fd, self.filter_fd, *self._files.values()) if one >= 0]
 
     def bring(self, file: Path, name: str) -> str:
-        """Let bubblewrap copy the file into the sandbox. Return its path there."""
+        """Have bubblewrap copy the file into the sandbox. Return the copy's path in the sandbox."""
         self._files[name] = os.open(file, os.O_RDONLY | os.O_CLOEXEC)
         return f"{ANSWER_FOLDER}/{name}"
 
@@ -150,14 +157,14 @@ class Sandbox:
         return limit_options(limits, (*KERNEL_LIMITS, "processes"))
 
     def start(self, order: Order) -> Started:
-        """Start the program in a separate sandbox, forked from the server if possible. Raises OSError."""
+        """Start the program in a separate sandbox. If possible, the server forks it. Raises OSError."""
         began = time.monotonic()
         self._sockets_before, self._queued_before = proc.sockets_of_network(), proc.queued_bytes(0)
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
             return Started(forked, began)
-        # Without --parent, because a sandbox ends with us anyway, and our process id isn't visible in it.
+        # Without --parent, because a sandbox ends with us anyway, and our process ID isn't visible in it.
         command = joining(
             order.cgroup_join_file, self.command(host_command("--attended", *order.arguments), environ)
         )
@@ -168,7 +175,8 @@ class Sandbox:
     ) -> list[str]:
         """Return a command that runs `command` in this sandbox, with this environment and further bubblewrap options.
 
-        The system call filter also applies to the sandbox's first process, because a program may write to its memory.
+        The system call filter also applies to the sandbox's first process, because a program may write to that
+        process's memory.
         """
         filtered = () if self.filter_fd < 0 else ("--seccomp", str(self.filter_fd))
         for descriptor in self.descriptors[1:]:  # bubblewrap reads them, possibly for the second time
@@ -182,7 +190,7 @@ class Sandbox:
         )
 
     def empty(self) -> list[str]:
-        """Return a command for an empty sandbox. It prints "ready", and stays until its first process is killed."""
+        """Return a command for an empty sandbox, which prints "ready" and stays until its first process is killed."""
         return self.command(WAITS, {}, ("--as-pid-1",))
 
     def _fork(self, server: ForkServer, environ: Mapping[str, str], order: Order) -> Child | None:
@@ -218,7 +226,7 @@ class Sandbox:
             return None
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Return how many files the fullest of the program's writable folders contains."""
+        """Return how many files and folders are in the fullest of the program's writable folders."""
         return most_files(pids)
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
@@ -226,11 +234,14 @@ class Sandbox:
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return how many sockets were added to the network of the program and this process, including sent ones."""
+        """Return how many sockets have been added to our network since the start.
+
+        The program and this process share that network. Sockets that are in transit between processes count, too.
+        """
         return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return how many more unread bytes this network's sockets hold than at the start; see `proc.queued_bytes`."""
+        """Return how many more unread bytes our network's sockets hold than at the start (see `proc.queued_bytes`)."""
         return proc.queued_bytes(worth_counting) - self._queued_before
 
     def exceeded(self) -> str | None:
@@ -242,7 +253,7 @@ class Sandbox:
         return filter_problem()
 
     def sweep(self) -> bool:
-        """Return False without doing anything, because every process in a sandbox ends with it."""
+        """Return False without doing anything, because all processes in a sandbox end together with it."""
         return False  # a sandbox's processes end with it
 
     def remove(self) -> None:
@@ -255,11 +266,12 @@ class Sandbox:
 
 @dataclass(frozen=True)
 class SandboxTier:
-    """The tier "sandbox". See `workbook.programs.tier.Tier`.
+    """The "sandbox" tier. See `workbook.programs.tier.Tier`.
 
-    A `server` forks programs into their sandboxes, which saves starting Python for each. If there's an `alternate`, one
-    of the two servers is chosen at random for each program. All of a server's programs have the same hash seed for
-    strings. So without an alternate, an answer that depends on a set's order would get the same verdict in every try.
+    A `server` forks programs into their sandboxes, so that Python isn't started for each of them. If there's an
+    `alternate`, one of the two servers is chosen at random for each program. All of a server's programs have the same
+    hash seed for strings. So without an alternate, an answer that depends on a set's order would get the same verdict
+    on every try. `readable`: the files that programs may read in addition to their own.
     """
 
     server: ForkServer | None = None
@@ -272,7 +284,7 @@ class SandboxTier:
 
 
 def sandbox_environment(environ: Mapping[str, str]) -> dict[str, str]:
-    """Return the environment for a program in a sandbox."""
+    """Return the environment for a program in a sandbox, made from `environ`."""
     inside = {**environ, "HOME": HOME, "PWD": HOME, "PATH": PATH_OF_PROGRAMS}
     inside |= {"TMPDIR": "/tmp", "ROS_LOG_DIR": "/tmp"}
     return {name: value for name, value in inside.items() if name not in NOT_FOR_ANSWERS}
@@ -284,7 +296,7 @@ def read_info(info_fd: int) -> str:
 
 
 def first_pid(info: str) -> int | None:
-    """Return the sandbox's first process, from bubblewrap's report; None before it exists."""
+    """Return the ID of the sandbox's first process, from bubblewrap's report; None if it isn't known yet."""
     try:
         return int(json.loads(info)["child-pid"])
     except (ValueError, KeyError, TypeError):
@@ -292,7 +304,7 @@ def first_pid(info: str) -> int | None:
 
 
 def program_pid(info: str) -> int | None:
-    """Return the process that runs the program, from bubblewrap's report; None before it exists.
+    """Return the ID of the process that runs the program, using bubblewrap's report; None before it exists.
 
     bubblewrap's child is the first process in the new PID namespace, and the program is that process's child.
     """
@@ -302,10 +314,10 @@ def program_pid(info: str) -> int | None:
 
 
 def exit_status(code: int | None) -> int | None:
-    """Convert bubblewrap's exit code to `subprocess`'s format: negative for a signal, and None while it runs.
+    """Convert bubblewrap's exit code to the format of `subprocess`: -n if signal n ended the program.
 
-    bubblewrap returns 128 + n for a program that was ended by signal n. But 130 stays unchanged, because Python itself
-    returns it after Ctrl-C.
+    bubblewrap returns 128 + n in that case. But 130 stays unchanged, because Python itself returns it after Ctrl-C, and
+    None stays None.
     """
     return 128 - code if code is not None and 128 < code <= 128 + 31 and code != 130 else code
 
@@ -313,7 +325,7 @@ def exit_status(code: int | None) -> int | None:
 def most_files(pids: Sequence[int]) -> int:
     """Return how many files and folders are in the fullest folder that a program in a sandbox may write to.
 
-    A process that isn't in its sandbox yet sees the machine's folders. They have more room, so we leave them out.
+    A process that isn't in its sandbox yet sees the machine's folders. We recognize those by their size, and skip them.
     """
     most = 0
     for pid in pids:

@@ -1,9 +1,9 @@
 """Create isolation tiers by name, and describe their protection and its gaps.
 
-From the best to the weakest, they are "sandbox", "uid", "landlock", and "limits". The tier "sandbox" is bubblewrap,
-with a separate network. The tier "uid" gives each slot a separate user id, for use as root if the kernel grants no
-namespaces. The tier "landlock" lets the kernel hide files, and works for ordinary users. The tier "limits" only limits
-resources and ends leftover processes.
+From the strongest to the weakest, the tiers are "sandbox", "uid", "landlock", and "limits". The "sandbox" tier uses
+bubblewrap, with a separate network. The "uid" tier gives each slot a separate user ID; it's for root on a kernel that
+grants no namespaces. In the "landlock" tier, which ordinary users can use, the kernel hides files. The "limits" tier
+only limits resources and ends leftover processes.
 """
 
 from collections.abc import Sequence
@@ -41,7 +41,8 @@ def named_tier(name: str) -> Isolation:
 def meets_others(isolation: Isolation) -> bool:
     """Return whether untrusted answers could interact on this machine's network, so that only one may run at a time.
 
-    In "limits", they could do that and more, but that tier is for answers that you'd run without isolation.
+    In the "limits" tier, they could interact, too, but that tier is for trusted answers, which you'd run without
+    isolation.
     """
     return isolation in ("uid", "landlock")
 
@@ -56,9 +57,9 @@ def make_tier(
 ) -> Tier:
     """Create the tier with this name, for a process that adopts orphaned processes (see `adopt_orphans`).
 
-    `ids`: for "uid", leased by the caller. `server` and `alternate`: for "sandbox", which forks each program from one
-    of them. `groups`: the folder for memory cgroups, leased by the caller; None if there are none. Raises ValueError
-    for "uid" without ids.
+    `ids`: the user IDs for the "uid" tier, leased by the caller. `server` and `alternate`: the fork servers for the
+    "sandbox" tier (see `SandboxTier`). `groups`: the folder for memory cgroups, leased by the caller; None if there are
+    none. Raises ValueError for the "uid" tier without `ids`.
     """
     tier = _bare_tier(isolation, ids, server, alternate)
     return tier if groups is None else GroupedTier(tier, groups)
@@ -77,19 +78,22 @@ def _bare_tier(
 
 
 def lease_for(isolation: Isolation) -> Ids | None:
-    """Lease the user ids that a slot needs for the tier "uid". Return None for other tiers. Raises NoIds."""
+    """Lease the user IDs that a slot needs for the "uid" tier. Return None for other tiers. Raises NoIds."""
     return lease_ids() if isolation == "uid" else None
 
 
 def slot_command(isolation: Isolation, command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """Return the command that starts a slot for this tier. `groups`: see `make_tier`. Raises NoSandbox."""
+    """Return `command`, which starts a slot, in the form that this tier needs. `groups`: see `make_tier`.
+
+    Raises NoSandbox.
+    """
     return outer_command(command, groups) if isolation == "sandbox" else [*command]
 
 
 def known_problem(isolation: Isolation) -> str | None:
-    """Return why a tier doesn't work here, and what to do; None if no reason is known.
+    """Return why a tier doesn't work here, and how to fix it; None if no reason is known.
 
-    This finds only reasons that show up without running a program in the tier.
+    This function finds only reasons that show up without running an answer in the tier.
     """
     if isolation == "sandbox":
         return sandbox_problem()
@@ -107,7 +111,7 @@ def known_problem(isolation: Isolation) -> str | None:
 
 
 def refuses(isolation: Isolation) -> set[str]:
-    """Return what a program must not be able to do in a tier, in the words of `inside/tier_probe.py`."""
+    """Return the actions that must fail in a tier, in the words of `inside/tier_probe.py`."""
     if isolation == "limits":
         return set()
     refused = {
@@ -120,7 +124,7 @@ def refuses(isolation: Isolation) -> set[str]:
     if isolation != "sandbox":  # in a sandbox, its neighbors are in memory and disappear with it
         refused.add("writes next to its own file")
     if isolation == "uid" or (isolation == "landlock" and abi >= ABI_OF_SIGNALS):
-        refused.add("signals the judge")  # in a sandbox, the process id belongs to another process
+        refused.add("signals the judge")  # in a sandbox, the process ID belongs to another process
     if isolation == "sandbox" or abi >= ABI_OF_TCP:
         refused.add("connects to this machine")
     return refused
@@ -132,7 +136,7 @@ IN_SHORT: dict[str, str] = {
     "landlock": "kept by the kernel from files that are not its own",
     "limits": "with limits on time, memory and processes, and with nothing else between it and this machine",
 }
-"""How each tier protects the machine from an answer, in words for readers of a result."""
+"""Describes how each tier protects the machine from an answer, for people who read a result."""
 
 
 def covers(isolation: Isolation) -> str:
@@ -148,13 +152,13 @@ def covers(isolation: Isolation) -> str:
 
 
 def unfiltered(isolation: Isolation) -> str:
-    """Return a sentence on missing protection if a tier can't filter system calls here; empty if it can."""
+    """Return a sentence that says so if a tier can't filter system calls here; empty if it can or doesn't need to."""
     problem = "" if isolation == "limits" else filter_problem()
     return f"System calls of answers are not filtered: {problem}." if problem else ""
 
 
 def leaves_open(isolation: Isolation) -> str:
-    """Describe what a tier doesn't protect, in one sentence, or in two if it can't filter system calls."""
+    """Return a sentence about what a tier doesn't protect, and a second one if it can't filter system calls."""
     calls = f" {problem}" if (problem := unfiltered(isolation)) else ""
     if isolation == "sandbox":
         return f"Not protected: {_KERNEL}.{calls}"

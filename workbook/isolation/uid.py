@@ -1,4 +1,4 @@
-"""Give each slot a separate user id (the tier "uid"), if we run as root, and use Landlock if the kernel has it."""
+"""The "uid" tier: as root, give each slot a separate user ID. If the kernel has Landlock, it also hides files."""
 
 import os
 from dataclasses import dataclass, field
@@ -22,7 +22,8 @@ EXTRA_PROCESSES = 32
 class UserProgram(ConfinedProgram):
     """A program that runs as the user `ids.user`. See `workbook.programs.tier.Confinement`.
 
-    `sweeps_orphans`: this process adopts what programs leave behind (see `adopt_orphans`), and has no other children.
+    `sweeps_orphans`: whether this process adopts the processes that programs leave behind (see `adopt_orphans`), and
+    may end all of its children, except exempt ones.
     """
 
     ids: Ids
@@ -37,7 +38,7 @@ class UserProgram(ConfinedProgram):
         return brought
 
     def give(self) -> Path:
-        """Provide the files like the base class, but in folders that only root and the program's user can read."""
+        """Create the package like the base class, but in folders that only root and the program's user can read."""
         package = super().give()
         for folder in (package.parent, package):
             os.chown(folder, 0, self.ids.user)
@@ -45,7 +46,10 @@ class UserProgram(ConfinedProgram):
         return package
 
     def options(self, limits: Limits) -> list[str]:
-        """Return the base class's options, the user id, and the process limit. Give `scratch` to the program's user."""
+        """Return the base class's options, the user ID, and the process limit.
+
+        As a side effect, make the program's user the owner of `scratch`.
+        """
         os.chown(self.scratch, self.ids.user, self.ids.user)
         options = ["--user", str(self.ids.user)]
         if limits.processes is not None:
@@ -59,7 +63,7 @@ class UserProgram(ConfinedProgram):
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """Measures the program's files, and its user's files in folders that everyone may write to."""
+        """Measures how much the program writes to `scratch`, and its user to folders that everyone may write to."""
         return WrittenFiles(self.scratch, shared_folders(), self.ids.user)
 
     def sweep(self) -> bool:
@@ -73,7 +77,10 @@ class UserProgram(ConfinedProgram):
 
 @dataclass(frozen=True)
 class UidTier:
-    """See `workbook.programs.tier.Tier`. `ids`: leased by the caller; `sweeps_orphans`: see `UserProgram`."""
+    """The "uid" tier. See `workbook.programs.tier.Tier`.
+
+    `ids`: the user IDs, leased by the caller. `hides_files` and `sweeps_orphans`: see `UserProgram`.
+    """
 
     ids: Ids
     hides_files: bool = field(default_factory=lambda: landlock_abi() > 0)

@@ -1,6 +1,7 @@
-"""Lease unused user ids for untrusted programs, a pair for each slot, and end the processes that run under them.
+"""Lease unused user IDs for untrusted programs, and end the processes that run under them.
 
-The ids need no accounts. A pair's second id is for the process that ends the first one's programs (see `sweeper`).
+Each slot gets a pair of IDs, which need no accounts. Programs run under the first ID; the process that ends them runs
+under the second (see `sweeper`).
 """
 
 import ctypes
@@ -28,11 +29,14 @@ _IPC_REMOVE = 0
 
 
 class NoIds(RuntimeError):
-    """No user id can be leased on this machine. The message says why."""
+    """No user ID can be leased on this machine. The message says why."""
 
 
 class Ids:
-    """A leased user id, and the id that ends its programs. The lease ends with `release`, or when `holder` closes."""
+    """A leased pair of user IDs: `user` for programs, and `sweeper` for the process that ends them.
+
+    The lease ends with `release`, or when `holder` is closed; without a `holder`, there's no lease.
+    """
 
     def __init__(self, user: int, holder: socket.socket | None = None) -> None:
         self.user = user
@@ -46,7 +50,7 @@ class Ids:
             self._holder = None
 
     def sweep(self) -> bool:
-        """End all of `user`'s processes, and remove their files in shared folders and their System V IPC objects.
+        """Kill all of `user`'s processes, and remove the user's files in shared folders and System V IPC objects.
 
         Return whether there were any processes. Raises StillThere if a process hasn't ended after 20 s.
         """
@@ -74,7 +78,7 @@ class Ids:
 
 
 def lease_ids() -> Ids:
-    """Lease a pair of free ids, until `release` is called or this process ends. Raises NoIds."""
+    """Lease a pair of unused user IDs, until `release` is called or this process ends. Raises NoIds."""
     if os.geteuid() != 0:
         raise NoIds("only root can run programs under separate user ids")
     known = [one for one in RANGES if proc.knows_ids(*one)]

@@ -1,4 +1,4 @@
-"""Measure a program's files on the disk and in shared memory, in tiers that don't limit them otherwise."""
+"""Measure a program's files on the disk and in shared memory, for tiers whose file systems don't limit them."""
 
 import os
 import time
@@ -12,17 +12,17 @@ from workbook.recording.limits import ANSWER_LIMITS
 
 LOOK_EVERY_S = 1.0
 WORTH_A_LOOK = (ANSWER_LIMITS.stored or 0) // 4
-"""After this many more bytes have been written to one of the file systems, check right away who wrote them."""
+"""If the use of the watched file systems grows by more than this many bytes, count the program's files right away."""
 SHARED_MEMORY = "/dev/shm"
 ENOUGH = 50_000
-"""The number of files at which counting stops; no program may have as many."""
+"""The number of files at which counting stops. No program may have that many."""
 _BLOCK = 512
 
 
 class WrittenFiles:
-    """Counts the files in `own`, and the files of `user` in the folders `shared`.
+    """Counts the files in `own`, and the files in the `shared` folders that belong to `user`, with their bytes.
 
-    Not thread-safe.
+    It isn't thread-safe.
     """
 
     def __init__(self, own: Path, shared: Sequence[str] = (), user: int | None = None) -> None:
@@ -34,7 +34,7 @@ class WrittenFiles:
         self.files = self.bytes = 0
 
     def look(self) -> "WrittenFiles":
-        """Count again if a second has passed or much was written. Return this object with the current counts."""
+        """Count again if a second has passed or much has been written. Return this object with its latest counts."""
         now, in_use = time.monotonic(), self._space_in_use()
         if now >= self._look_at or in_use > self._in_use + WORTH_A_LOOK:
             self._look_at, self._in_use = now + LOOK_EVERY_S, in_use
@@ -79,10 +79,10 @@ class WrittenFiles:
 
 
 class SharedMemory:
-    """A program's files in shared memory, if the judge and other programs run as the same user.
+    """Estimates a program's use of shared memory if the judge and other programs run as the same user.
 
-    The kernel doesn't report which process such a file belongs to. It may be the program's if it's new, and if the
-    program has written that much at all.
+    The kernel doesn't report which process created a file there. A file may be the program's if it's new, but the
+    program's files can't be larger than all that it has written.
     """
 
     def __init__(self, folder: str = SHARED_MEMORY) -> None:
@@ -91,9 +91,9 @@ class SharedMemory:
         self._in_use = self._space_in_use()
 
     def bytes_of(self, pids: Sequence[int], elsewhere: int) -> int:
-        """Return how many bytes these processes may have written there; zero if little was written at all.
+        """Return how many bytes these processes may have written to shared memory.
 
-        `elsewhere`: their bytes on the disk.
+        Return zero if its use has hardly grown. `elsewhere`: the number of bytes that they have written to other files.
         """
         if self._space_in_use() < self._in_use + WORTH_A_LOOK:
             return 0

@@ -15,9 +15,9 @@ _ROUND_S = 0.005
 
 
 def processes_marked(mark: str) -> list[int]:
-    """Return this user's processes whose `WORKBOOK_RUN` begins with `mark`.
+    """Return the processes whose `WORKBOOK_RUN` begins with `mark`, if we may read their environments.
 
-    They may have moved to another session.
+    This also finds processes that have moved to another session.
     """
     needle = f"{RUN_MARK}={mark}".encode()
     others = (pid for pid in proc.pids() if pid != os.getpid())
@@ -37,5 +37,5 @@ def kill_all(alive: Callable[[], Collection[int]]) -> None:
 
 
 def kill_programs_of(judge_pid: int) -> None:
-    """Kill the programs that the dead process `judge_pid` started as a `NodeProcess`, and all their descendants."""
+    """Kill the programs that the ended process `judge_pid` started as a `NodeProcess`, and their descendants."""
     kill_all(lambda: processes_marked(f"{judge_pid}-"))

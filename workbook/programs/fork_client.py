@@ -23,12 +23,12 @@ from workbook.programs.tier import Order
 from workbook.ros.environment import child_environment
 
 MARK_BYTES = 80
-"""The size of the blank space for a mark in a server's environment. Others can't see a forked process's variables."""
+"""The size of the blank space in a server's environment, where a forked program writes its mark for others to see."""
 SERVER = "fork_server"
 START_S = 30.0
 ANSWER_S = 10.0
 LOOK_AGAIN_S = 1.0
-"""After this long (s), a thread that waits for an end polls again, in case the kernel hasn't woken it."""
+"""After this long (s), a thread that waits for a program's end polls again, in case the kernel hasn't woken it."""
 
 
 class NotForked(RuntimeError):
@@ -42,8 +42,8 @@ class ServerGone(RuntimeError):
 class ForkedProgram:
     """A program that the server forked. See `workbook.programs.tier.Child`.
 
-    `is_lost`: its supervisor ended without a report. If the program can't have ended the supervisor, the server is
-    gone.
+    `is_lost`: whether the supervisor ended without reporting how the program ended. If the program can't have ended the
+    supervisor, the server is gone.
     """
 
     def __init__(self, pid: int, status_fd: int, told: bytes) -> None:
@@ -55,14 +55,17 @@ class ForkedProgram:
         self._reading = threading.Lock()
 
     def poll(self) -> int | None:
-        """Return the exit code (negative: a signal's number); None while the program runs."""
+        """Return the program's exit code, or None while it's running.
+
+        A negative code is the number of the signal that ended it.
+        """
         return self._read_status()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program's end, and return its exit code. Raises subprocess.TimeoutExpired after `timeout` s.
+        """Wait for the program to end, and return its exit code.
 
-        The supervisor ends after its last report, so all waiting threads wake up, even if another thread reads the
-        report.
+        Raises subprocess.TimeoutExpired after `timeout` seconds. Several threads may wait. The supervisor exits after
+        its last report, which wakes all of them, including those that don't read the report themselves.
         """
         deadline = None if timeout is None else time.monotonic() + timeout
         while (code := self._read_status()) is None:
@@ -99,7 +102,7 @@ class ForkedProgram:
                 os.kill(self.pid, signal.SIGINT)
 
     def tree(self) -> list[int]:
-        """Return the program's process and its descendants. Once the program has ended, its own process is left out."""
+        """Return the process IDs of the program and its descendants, without its own once it has ended."""
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
@@ -110,9 +113,8 @@ class ForkedProgram:
 def request_fork(channel: socket.socket, request: Mapping[str, object], descriptors: Sequence[int]) -> int:
     """Ask a server to fork a program.
 
-    Return the descriptor at which the server reports the status. Raises OSError if the server is gone.
-
-    `descriptors`: the program's own.
+    Return the descriptor from which to read the server's reports on the program. Raises OSError if the server is gone.
+    `descriptors`: the descriptors to send for the program, such as its output.
     """
     status_fd, theirs = os.pipe()
     try:
@@ -128,9 +130,8 @@ def request_fork(channel: socket.socket, request: Mapping[str, object], descript
 def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
     """Wait for the first report on a requested program, and return the program.
 
-    Raises NotForked if the program wasn't forked, or there's no report after `timeout_s` s.
-
-    `status_fd`: the descriptor for reports. It's closed if the program wasn't forked.
+    Raises NotForked if the program wasn't forked, or if no report arrives within `timeout_s` seconds. `status_fd`: the
+    descriptor from `request_fork`. It's closed if the program wasn't forked.
     """
     told = b""
     while b"\n" not in told:
@@ -146,10 +147,10 @@ def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
 
 
 class ForkServer:
-    """The server process that forks programs. It starts with the first program, and ends with its owner.
+    """The server process that forks programs. It ends with its owner.
 
-    `zygote`: a running server outside of this slot's sandbox, which forks this server if possible. `slot`: the
-    sandbox's first process.
+    `zygote`: a running server outside of this slot's sandbox, which forks this server if possible. `slot`: the process
+    ID of the sandbox's first process.
     """
 
     def __init__(self, zygote: "Zygote | None" = None, slot: int = 0) -> None:
@@ -162,14 +163,14 @@ class ForkServer:
 
     @property
     def pid(self) -> int | None:
-        """The server's process id; None if it isn't running or was forked from a zygote."""
+        """The server's process ID; None if it isn't running or was forked from a zygote."""
         return None if self._process is None else self._process.pid
 
     def start(self, environ: Mapping[str, str]) -> None:
         """Start the server if it isn't running, without waiting for it.
 
-        `environ` must not contain anything that programs may not see. A server forked from a zygote has the zygote's
-        environment.
+        `environ` must not contain anything that programs may not see. It's unused if a zygote forks the server, which
+        then has the zygote's environment.
         """
         with self._turn:
             if self._channel is not None and not _has_hung_up(self._channel):
@@ -187,9 +188,9 @@ class ForkServer:
         environ: Mapping[str, str],
         folder: str,
     ) -> ForkedProgram:
-        """Fork a program into a process's namespaces, or without separate ones (0). Raises NotForked.
+        """Fork a program into the namespaces of the process `namespaces_of`, or into none (0). Raises NotForked.
 
-        `environ` replaces the order's environment.
+        `environ` replaces the order's environment. `folder`: the program's working folder.
         """
         request = {
             "namespaces_of": namespaces_of,
@@ -217,7 +218,7 @@ class ForkServer:
         return started_program(status_fd, ANSWER_S)
 
     def wait_until_ready(self) -> None:
-        """Wait until the server can fork programs. Raises OSError if it was never started, or fails to start."""
+        """Wait until the server can fork programs. Raises OSError if it was never started or fails to start."""
         with self._turn:
             if self._channel is None:
                 raise OSError("it was never started")
@@ -249,9 +250,10 @@ class Zygote:
     channel: socket.socket
 
     def fork_into(self, slot: int) -> socket.socket | None:
-        """Let the zygote fork a server into a sandbox. Return our end of its channel; None if that fails.
+        """Have the zygote fork a server into a sandbox.
 
-        `slot`: the sandbox's first process.
+        Return our end of the server's channel; None if the zygote is gone. `slot`: the process ID of the sandbox's
+        first process.
         """
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -273,7 +275,7 @@ def _has_hung_up(channel: socket.socket) -> bool:
 class OwnServer:
     """This process's fork server, for programs without isolation. It isn't used until `keep` is called.
 
-    Most processes start only one or two programs, so starting a server isn't worthwhile.
+    Most processes start only one or two programs, and for so few, a server isn't worthwhile.
     """
 
     def __init__(self) -> None:
@@ -283,11 +285,11 @@ class OwnServer:
         self._turn = threading.Lock()
 
     def keep(self) -> None:
-        """Use a fork server from now on. It starts with the first program."""
+        """Use a fork server from now on. It's started together with the first program."""
         self._wanted = True
 
     def ready(self) -> ForkServer | None:
-        """Return the server as soon as it can fork programs; None if `keep` wasn't called or it doesn't start."""
+        """Return the server once it can fork programs; return None if `keep` wasn't called or it doesn't start."""
         if not self._wanted:
             return None
         with self._turn:
@@ -304,7 +306,7 @@ class OwnServer:
 
     @property
     def pid(self) -> int | None:
-        """The server's process id; None if there is no server."""
+        """The server's process ID; None if there is no server."""
         return None if self._server is None else self._server.pid
 
     def close(self) -> None:

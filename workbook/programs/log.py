@@ -14,11 +14,15 @@ _OWN_FRAME = re.compile(
     r"(?: {4}[^\n]*\n)*",
     re.MULTILINE,
 )
-"""A frame from our code in any stack trace that a program prints: print_stack(), faulthandler, logging."""
+"""Matches a frame of our code in any stack trace that a program prints, with print_stack(), faulthandler, or
+logging."""
 
 
 class ProgramLog:
-    """Reads a program's output, and keeps its first and its last part. Calls `on_flood` once, after `limit` bytes."""
+    """Reads a program's output, and keeps its first and its last part.
+
+    Calls `on_flood` once, after more than `limit` bytes.
+    """
 
     def __init__(self, stream_fd: int, limit: int, on_flood: Callable[[], None]) -> None:
         self._fd = stream_fd
@@ -53,7 +57,7 @@ class ProgramLog:
             os.close(self._fd)
 
     def finish(self, timeout_s: float) -> None:
-        """Wait until all output has been read, but at most `timeout_s` s."""
+        """Wait until all output has been read, but at most `timeout_s` seconds."""
         self._thread.join(timeout_s)
 
     @property

@@ -36,9 +36,9 @@ def _pipe_with(data: bytes) -> int:
 class NodeProcess:
     """A program that runs in its own process and session. `stop` ends it and all its descendants.
 
-    It runs in an isolation `tier`, or in none. `write_profile` writes a DDS profile for it into a folder, to replace
-    the profile that all our processes use. Use as a context manager, or call `stop`. Raises FileNotFoundError if the
-    program doesn't exist, and OSError if it can't be started.
+    `tier`: its isolation tier; None for no isolation. `write_profile`: writes a DDS profile for the program into a
+    folder and returns its path; None for the profile that all our processes use. Use a NodeProcess as a context
+    manager, or call `stop`. Raises FileNotFoundError if the program doesn't exist, and OSError if it can't be started.
     """
 
     def __init__(
@@ -108,7 +108,10 @@ class NodeProcess:
         self._kill_tree()
 
     def _guard(self) -> None:
-        """Kill a program that exceeds its limits. The kernel limits only single processes, and not root's."""
+        """Poll the program, and kill it if it exceeds its limits.
+
+        The kernel limits only single processes, and not root's.
+        """
         while self.is_running():
             pids = self._child.tree()
             hit = limit_exceeded(self.spec.limits, pids, self._confinement)
@@ -125,7 +128,7 @@ class NodeProcess:
 
     @property
     def pid(self) -> int:
-        """The program's local process, whose process tree contains the program."""
+        """The ID of the process on this machine whose process tree contains the program."""
         return self._child.pid
 
     def is_running(self) -> bool:
@@ -137,7 +140,7 @@ class NodeProcess:
         return False
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait for the program to end by itself. Return whether it has ended."""
+        """Wait up to `timeout_s` (s) for the program to end by itself. Return whether it has ended."""
         try:
             self._child.wait(timeout_s)
         except subprocess.TimeoutExpired:
@@ -150,14 +153,14 @@ class NodeProcess:
             self._child.interrupt()
 
     def domains_used(self) -> tuple[int, ...]:
-        """Update and return the ROS domains on which the program or its descendants have had sockets."""
+        """Return the ROS domains on which the program or its descendants had ports open in any call so far."""
         if self.is_running():
             used = domains_of(self._child.tree())
             self._domains_used = tuple(sorted({*self._domains_used, *used}))
         return self._domains_used
 
     def processor_seconds(self) -> float | None:
-        """Return the CPU time (s) of the program and its descendants; None if the program has ended."""
+        """Return the CPU time (s) that the program and its descendants have used; None if the program has ended."""
         return proc.processor_seconds(self._child.tree()) if self.is_running() else None
 
     def note_processor_time(self) -> None:
@@ -170,7 +173,7 @@ class NodeProcess:
         kill_all(lambda: {*self._child.tree(), *processes_marked(self._mark)})
 
     def stop(self, patience_s: float = 2.0, meanwhile: Callable[[], object] = lambda: None) -> None:
-        """End the program: send SIGINT, wait up to `patience_s` s, and then send SIGKILL to everything it started.
+        """End the program: send SIGINT, wait up to `patience_s` (s), and kill all processes that are left.
 
         `meanwhile` is called repeatedly during the wait. SIGTERM isn't used, because this rclpy loses some SIGTERMs
         while it spins. Raises StillThere if a tier can't end the processes that the program left behind.

@@ -15,8 +15,8 @@ class ProgramSpec:
     """A Python file to run as `__main__`, with `arguments`, and ROS `parameters` for all of its nodes.
 
     If there's a `driver`, it runs as `__main__` and can import the program as the module `answer`. It signs its reports
-    with `driver_key`, which the program doesn't get; if the key is empty, it doesn't sign. `check_fields`: ROS checks
-    the types of message fields. `in_panel`: the panel next to the notebook shows the program's messages.
+    with `driver_key`, which the program doesn't get; if the key is empty, it doesn't sign. `check_fields`: whether ROS
+    checks the types of message fields. `in_panel`: whether the panel next to the notebook shows the program's messages.
     """
 
     file: Path
@@ -30,7 +30,7 @@ class ProgramSpec:
 
     @property
     def command_line(self) -> list[str]:
-        """The program's command-line arguments: `sys.argv` without the program's name."""
+        """The program's command-line arguments, including those for ROS: `sys.argv` without the program's name."""
         return [*self.arguments, *ros_arguments(self.parameters)]
 
 

@@ -1,4 +1,4 @@
-"""Define the interface of an isolation tier. `NodeProcess` uses it without naming any tier (`workbook.isolation`)."""
+"""Define the interface of an isolation tier. `NodeProcess` depends only on it; `workbook.isolation` has the tiers."""
 
 import importlib.util
 import os
@@ -19,25 +19,34 @@ class Child(Protocol):
 
     @property
     def pid(self) -> int:
-        """The program's local process, whose process tree contains the program."""
+        """The ID of the process on this machine whose process tree contains the program."""
 
     def poll(self) -> int | None:
-        """Return the program's exit code (negative: a signal's number); None while it runs."""
+        """Return the program's exit code, or None while it's running.
+
+        A negative code is the number of the signal that ended it.
+        """
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program's end, and return its exit code. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the program to end, and return its exit code.
+
+        Raises subprocess.TimeoutExpired after `timeout` seconds.
+        """
 
     def interrupt(self) -> None:
         """Send SIGINT to the program, like Ctrl-C."""
 
     def tree(self) -> list[int]:
-        """Return the program, its descendants, and the tier's processes around it.
+        """Return the process IDs of the program, its descendants, and the tier's sandbox.
 
         Processes that have been reaped are left out.
         """
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Wait until the tier's sandbox around it is gone. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the tier's sandbox, if there's one, to end.
+
+        Raises subprocess.TimeoutExpired after `timeout` seconds.
+        """
 
     def close(self) -> None:
         """Release resources. Call this after the program and its sandbox have ended."""
@@ -45,10 +54,10 @@ class Child(Protocol):
 
 @dataclass(frozen=True)
 class Order:
-    """A program to start: its arguments for the host, environment, limits, and output descriptor.
+    """A program to start: its environment, limits, and output descriptor, and the `arguments` for its host.
 
-    `cgroup_join_file`: the file with which it joins a memory cgroup before any of its code is read; None if there's no
-    group. `input_fd`: its input descriptor; None for a program without input.
+    `cgroup_join_file`: the file through which the program joins a memory cgroup before any of its code is read; None if
+    there's no group. `input_fd`: its input descriptor; None for a program without input.
     """
 
     arguments: Sequence[str]
@@ -68,43 +77,47 @@ class Started:
 
 
 class Confinement(Protocol):
-    """A tier's handling of one program, from its files to the processes and files that it leaves behind."""
+    """Isolates one program: provides its files, starts it, measures it, and removes its leftovers."""
 
     def bring(self, file: Path, name: str) -> str:
-        """Let the program read a file. Return the path under which the program finds the file."""
+        """Make a file readable for the program, under this name. Return the path under which the program finds it."""
 
     def host_options(self, limits: Limits) -> list[str]:
-        """Return options for the host, to apply in the program's process before it runs the program."""
+        """Return the host's options for these limits.
+
+        The host applies them in the program's process before it runs the program.
+        """
 
     def start(self, order: Order) -> Started:
-        """Start the program in its tier, forked if possible. Raises OSError."""
+        """Start the program in its tier, by forking if possible. Raises OSError if it can't be started."""
 
     def most_files(self, pids: Sequence[int]) -> int:
         """Return the number of files in the program's fullest folder; zero if the tier doesn't limit files."""
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Return how many bytes the program has written to shared file systems; zero if it has a private one."""
+        """Return how many bytes the program has written to shared file systems; zero if it has private ones."""
 
     def sockets(self, pids: Sequence[int]) -> int:
         """Return how many sockets the program has open.
 
-        If the program's network is shared only with the judge, count all sockets in it.
+        If only the judge and the program share a network, return how many sockets were added to it since the start.
         """
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return how many unread bytes are in sockets of the program's separate network.
+        """Return how many unread bytes the sockets in the program's separate network hold.
 
-        Return zero if there are fewer than `worth_counting`, or if it uses the machine's network.
+        The result may be zero if they hold at most `worth_counting` bytes. It's zero if the program uses the machine's
+        network.
         """
 
     def exceeded(self) -> str | None:
-        """Return the limit that the program has exceeded according to the kernel.
+        """Return the limit that the program has exceeded according to its memory cgroup.
 
-        Return None if there's none, or if the kernel doesn't count.
+        Return None if it has exceeded none, or if it has no group.
         """
 
     def unfiltered(self) -> str:
-        """Return why the tier can't filter the program's system calls here, as a clause; empty if it can."""
+        """Return why the tier can't filter the program's system calls, as a clause; empty if it can or needn't."""
 
     def sweep(self) -> bool:
         """End all processes that the ended program left running. Return whether there were any.
@@ -124,15 +137,15 @@ class Tier(Protocol):
 
 
 def threads_of_libraries() -> int:
-    """Return how many threads a program's libraries may start on this machine."""
+    """Return how many threads a program's libraries may start on this machine, in addition to the program's own."""
     return THREADS_PER_CORE * (os.cpu_count() or 1)
 
 
 @cache
 def addresses_of_libraries() -> int:
-    """Return the address space (bytes) that the largest installed libraries use: the size of their files.
+    """Return the address space (bytes) that the largest installed libraries take up: the size of their files.
 
-    This is hardly any memory, because the kernel maps the files. PyTorch from PyPI maps 2.9 GB.
+    They use hardly any memory, because the kernel only maps the files. PyTorch from PyPI maps 2.9 GB.
     """
     found = importlib.util.find_spec("torch")
     if found is None or not found.submodule_search_locations:
@@ -145,8 +158,8 @@ def addresses_of_libraries() -> int:
 def limit_options(limits: Limits, names: Sequence[str]) -> list[str]:
     """Return the host's options for the named limits, except for limits that aren't set.
 
-    The kernel limits addresses and threads, while the judge counts memory and processes. So the kernel's limits are
-    higher. The kernel also counts processes that have ended, which the judge doesn't.
+    The kernel limits address space and threads, while the judge counts memory and processes, so the kernel's limits are
+    higher. The kernel also counts ended processes that haven't been reaped, which the judge doesn't.
     """
     threads = threads_of_libraries()
     more = {

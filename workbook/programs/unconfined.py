@@ -17,7 +17,9 @@ from workbook.programs.tier import Confinement, Order, Started, limit_options
 from workbook.recording.limits import Limits
 
 KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core", "signals")
-"""All limits except the number of processes, because the kernel counts all of the user's processes, but none of root's.
+"""The limits that the kernel enforces per process.
+
+The number of processes isn't one of them, because the kernel counts all of the user's processes, but none of root's.
 """
 
 _JOINED = ("/bin/sh", "-c", 'echo 0 >"$0" && exec "$@"')
@@ -29,12 +31,12 @@ def host_command(*options: str) -> list[str]:
 
 
 def joining(joins: str | None, command: Sequence[str]) -> list[str]:
-    """Return a command that joins a memory cgroup by the file `joins` and then runs `command`. None: just `command`."""
+    """Return a command that joins a memory cgroup through `joins` (a file), if it isn't None, and runs `command`."""
     return [*command] if joins is None else [*_JOINED, joins, *command]
 
 
 class FreshProgram(subprocess.Popen[bytes]):
-    """A program in a fresh Python process, which leads a session. Its working folder is `folder`."""
+    """A program in a fresh Python process, which leads its own session and has the working folder `folder`."""
 
     def __init__(
         self,
@@ -61,7 +63,7 @@ class FreshProgram(subprocess.Popen[bytes]):
         self.send_signal(signal.SIGINT)
 
     def tree(self) -> list[int]:
-        """Return the process ids of the program and its descendants; without its own once it has ended."""
+        """Return the process IDs of the program and its descendants, without its own once it has ended."""
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
@@ -74,7 +76,10 @@ class FreshProgram(subprocess.Popen[bytes]):
 
 @dataclass(frozen=True)
 class UnconfinedProgram:
-    """See `workbook.programs.tier.Confinement`. The program reads its files at their original paths."""
+    """A program without isolation, which reads its files at their original paths.
+
+    See `workbook.programs.tier.Confinement`.
+    """
 
     scratch: Path
 
@@ -87,7 +92,7 @@ class UnconfinedProgram:
         return limit_options(limits, KERNEL_LIMITS)
 
     def start(self, order: Order) -> Started:
-        """Start the program, forked if this process has a fork server, else in a fresh Python. Raises OSError."""
+        """Fork the program if this process has a fork server, or else start it in a fresh Python. Raises OSError."""
         server = own_server.ready()
         if server is not None:
             began = time.monotonic()  # not before: waiting for the server isn't part of its run
@@ -136,7 +141,7 @@ class UnconfinedProgram:
 
 
 class Unconfined:
-    """See `workbook.programs.tier.Tier`."""
+    """Limits programs without isolating them. See `workbook.programs.tier.Tier`."""
 
     def confine(self, scratch: Path) -> Confinement:
         """Return a confinement that only sets limits."""

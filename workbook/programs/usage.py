@@ -1,4 +1,4 @@
-"""Measure a program's use of the machine against the limits that the kernel can't enforce per process."""
+"""Compare a program's use of the machine with the limits that the kernel can't enforce per process."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -22,7 +22,7 @@ _SAID = {
 
 
 def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement) -> str | None:
-    """Return the limit that a program's processes exceed together; None if they exceed none."""
+    """Return the name of the limit that a program's processes `pids` exceed together; None if they exceed none."""
     hit = confinement.exceeded()
     if hit is not None:
         return hit
@@ -48,7 +48,7 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
 
 
 def too_many(pids: Sequence[int], most: int) -> bool:
-    """Return whether more than `most` of these processes are running, or far more have ended without being reaped."""
+    """Return whether more than `most` of these processes are running, or far more exist, including ended ones."""
     return len(pids) > most and (len(pids) > most + ENDED_PROCESSES or len(running(pids)) > most)
 
 
@@ -65,8 +65,8 @@ def running(pids: Iterable[int]) -> list[int]:
 def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
     """Return how long (s) to wait until the next poll.
 
-    A poll costs as much CPU time as a small node. A program far from its limits can't reach them sooner, because a
-    processor fills only some 2 GB of new memory per second.
+    Polling often costs as much CPU time as a small node. A program far from its limits can't reach them during the
+    longer wait, because a processor fills only about 2 GB of memory per second.
     """
     processes, memory = limits.processes or 0, limits.memory or 0
     is_far = 2 * len(pids) <= processes and 2 * memory_bytes(pids, memory) <= memory
@@ -74,9 +74,9 @@ def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
 
 
 def limits_in_log(log: str) -> tuple[str, ...]:
-    """Return the limits that a program hit, judging by error messages from Python and C in its log's last lines.
+    """Return the limits that a program hit, judging by error messages of Python and C in its log's last lines.
 
-    A program can print such a line itself, but gains nothing by it.
+    A program could print such a message itself, but would gain nothing by it.
     """
     end = "\n".join([line for line in log.splitlines() if line.strip()][-_LAST_LINES:])
     return tuple(name for name, pattern in _SAID.items() if re.search(pattern, end))

@@ -16,13 +16,14 @@ CLOCK_QOS = QoSProfile(
 
 
 class SimulatedClock:
-    """Publishes simulated time on /clock in equal steps, from `start_ns` on or from the current time of day.
+    """Publishes simulated time on /clock in equal steps, from `start_ns` on (default: the current time of day).
 
-    If it starts at the time of day, a program that is switched to this clock keeps its timers' schedule. `now` and
-    `simulated_time` count from the start.
+    By default, a program that is switched to this clock keeps its timers' schedule. `now` and `simulated_time` count
+    from the start.
 
-    `step_s` is the resolution of simulated time (s). Call `advance` to move on by one step when it's due at the current
-    speed (simulated seconds per real second). Simulated time never skips steps: on a slow machine, it lags instead.
+    `step_s` is the resolution of simulated time (s). Call `advance` whenever the next step is due (see `until_due`).
+    The speed is in simulated seconds per real second. Simulated time never skips steps: on a slow machine, it lags
+    instead.
     """
 
     def __init__(self, node: Any, step_s: float, start_ns: int | None = None) -> None:
@@ -76,6 +77,9 @@ class SimulatedClock:
         self._node.destroy_publisher(self._publisher)
 
     def simulated_time(self, moment: float) -> float:
-        """Return the simulated time (s) at a moment of `time.monotonic`: the last one published before it."""
+        """Return the simulated time (s) at `moment` (`time.monotonic`, s).
+
+        It's the last simulated time published by then; zero if there's none.
+        """
         index = bisect.bisect_right(self._moments, moment) - 1
         return self._times[index] if index >= 0 else 0.0

@@ -1,4 +1,4 @@
-"""Determine whether a topic follows the simulated clock, from its messages at two speeds of the clock.
+"""Determine whether a topic follows the simulated clock, by comparing its messages at two speeds of the clock.
 
 A program that follows `/clock` publishes at the same intervals of simulated time at every speed. If a program runs on
 the wall clock, its intervals of simulated time grow with the speed.
@@ -19,16 +19,17 @@ MOST_OFF = 1.5
 """The largest acceptable factor between a topic's rates in simulated and in real time."""
 LEAST_REAL_PERIODS = 2.5
 LONGEST_STALL_S = 2.0
-"""A busy machine may delay messages by up to this long (s)."""
+"""The longest delay of messages (s) that we attribute to a busy machine."""
 ALIKE = 0.1
-"""The largest relative difference of typical intervals that count as equal."""
+"""The largest relative difference between two typical intervals that count as equal."""
 
 
 def follows(stretches: Sequence[Stretch], times: Sequence[float], step_s: float) -> bool | None:
-    """Return whether messages that arrived at `times` (s of simulated time) keep their intervals at two speeds.
+    """Return whether messages that arrived at `times` (simulated time, s) have the same intervals at two speeds.
 
-    The result is None if that isn't proved. Silence, too few messages, and nearly equal speeds prove nothing. Nor does
-    a median interval of at most one clock step (`step_s`, s), because an interval twice as long may be rounded to it.
+    The result is None if the messages prove neither. Silence, too few messages, and nearly equal speeds prove nothing.
+    Nor does a median interval of about one clock step (`step_s`, s), because an interval twice as long may be rounded
+    to it.
     """
     slow, fast = max(
         _ways_to_choose(stretches),
@@ -52,8 +53,9 @@ def follows(stretches: Sequence[Stretch], times: Sequence[float], step_s: float)
 def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
     """Return whether a topic's rate in real time differs from one message per `usual_s` (s).
 
-    It does if its median or mean interval is off by more than a factor of `MOST_OFF`. It also does if it was silent for
-    `LEAST_REAL_PERIODS`, as if it had stopped. A recording shorter than that many periods proves nothing.
+    It differs if the topic's median or mean interval is off by more than a factor of `MOST_OFF`. It also differs if the
+    topic was silent for more than `LEAST_REAL_PERIODS` and `LONGEST_STALL_S`, as if it had stopped. If the recording is
+    shorter than that many periods, return False.
     """
     few_s = LEAST_REAL_PERIODS * usual_s
     if usual_s <= 0.0 or real.watched_s < few_s:
@@ -69,17 +71,15 @@ def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
 
 
 def intervals_of(recording: Recording, topic: str) -> list[float]:
-    """Return the intervals between a topic's messages (s of simulated time)."""
+    """Return the intervals between a topic's messages (simulated time, s)."""
     return [after.t - before.t for before, after in pairwise(recording.topic(topic).arrivals)]
 
 
 def _changes_of_pace(stretches: Sequence[Stretch], times: Sequence[float], step_s: float) -> tuple[int, int]:
-    """Count the changes of the clock's speed by their effect on the median interval.
+    """Count the changes in clock speed that leave the median interval unchanged, and those that don't.
 
-    The first number counts changes after which the interval stays the same; the second counts all others.
-
-    A program that follows the clock, but starts to publish more or less often, changes its intervals once, independent
-    of the speed. A program on the wall clock changes them with every change of speed.
+    If a program follows the clock but starts to publish more or less often, its intervals change once, regardless of
+    the speed. If a program runs on the wall clock, its intervals change every time the speed does.
     """
     alike = different = 0
     for before, after in pairwise(stretches):
@@ -95,9 +95,9 @@ def _changes_of_pace(stretches: Sequence[Stretch], times: Sequence[float], step_
 
 
 def _ways_to_choose(stretches: Sequence[Stretch]) -> list[tuple[list[Stretch], list[Stretch]]]:
-    """Return all ways to divide stretches into slow and fast ones.
+    """Return all ways to divide stretches into slow and fast ones, as pairs (slow, fast).
 
-    Stretches count as fast if they're at least twice as fast as the fastest slow one.
+    Fast stretches are at least twice as fast as the fastest slow one; stretches in between belong to neither.
     """
     ordered = sorted(stretches, key=lambda stretch: stretch.speed)
     ways = []

@@ -1,6 +1,6 @@
 """Query the graph for other programs' endpoints. Skip our own endpoints, and tolerate invalid names.
 
-A program may put any bytes on the graph as the name of a topic, type, or node.
+A program may put any bytes into the graph as the name of a topic, type, or node.
 """
 
 import secrets
@@ -18,7 +18,7 @@ from workbook.watching.watched_topic import gid_of
 NO_NAME = (ValueError, TypeError, NameValidationException)
 """The exceptions that rclpy raises for names that aren't UTF-8 or break the ROS naming rules."""
 PREFIX_BYTES = 12
-"""The part of a GID that all endpoints of one participant have in common."""
+"""The length of a GID's first part, which all endpoints of one participant have in common."""
 _NAMES_REMEMBERED = 10_000
 Told = TypeVar("Told")
 
@@ -26,8 +26,8 @@ Told = TypeVar("Told")
 def own_prefix(node: Node) -> bytes:
     """Return the GID prefix that all endpoints in the context of `node` share.
 
-    Names prove nothing, because other programs may use them, too. So we read the prefix from a subscription to a secret
-    topic.
+    Names don't identify our endpoints, because other programs may use the same names. So we subscribe to a topic with a
+    secret name, and read the prefix from that subscription.
     """
     while True:
         topic = f"/{node.get_name()}_{secrets.token_hex(16)}"
@@ -39,7 +39,7 @@ def own_prefix(node: Node) -> bytes:
 
 
 def or_default(ask: Callable[[], Told], otherwise: Told) -> Told:
-    """Return the graph's reply, or `otherwise` if the reply contains an invalid name."""
+    """Query the graph with `ask`, and return the result, or `otherwise` if the result contains an invalid name."""
     try:
         return ask()
     except NO_NAME:
@@ -48,7 +48,7 @@ def or_default(ask: Callable[[], Told], otherwise: Told) -> Told:
 
 @lru_cache(_NAMES_REMEMBERED)
 def is_name(full: str) -> bool:
-    """Return whether this is a valid fully qualified name of a topic or a node."""
+    """Return whether `full` is a valid fully qualified name of a topic or a node."""
     try:
         validate_full_topic_name(full)
     except NO_NAME:

@@ -1,4 +1,5 @@
-"""Count the kept messages that a late subscription receives from its publishers."""
+"""Count the kept messages that a late subscription receives from a topic's publishers ("transient local"
+durability)."""
 
 import time
 
@@ -9,7 +10,8 @@ from workbook.watching.values import known_class
 from workbook.watching.watched_topic import WatchedTopic
 
 ARRIVES_WITHIN_S = 1.5
-"""The longest wait (s) after the match. A kept message arrives within milliseconds; on a busy machine, later."""
+"""The longest wait (s) after the match. A kept message usually arrives within milliseconds, but later on a busy
+machine."""
 MATCHED_WITHIN_S = 3.0
 POLL_S = 0.01
 DEPTH = 100
@@ -22,7 +24,10 @@ def is_to_be_kept(watched: WatchedTopic) -> bool:
 
 
 def received_late(node: Node, watched: WatchedTopic) -> int | None:
-    """Subscribe now, and count the messages that were published earlier. Return None if only new ones arrived."""
+    """Subscribe now, and count the messages that were published earlier.
+
+    Return None if only new messages arrived, or if the topic's type is unknown here.
+    """
     message_type = known_class(watched.subscribed_type or "")
     if message_type is None:
         return None

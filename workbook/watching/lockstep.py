@@ -1,7 +1,7 @@
 """Detect when a program has come to rest, so that the next clock step doesn't overtake it.
 
-A program is at rest if none of its threads is running or waiting for a processor at the same moment. The same must
-apply to our threads that receive its messages. Two conditions prove that: we saw each thread asleep, and none was
+A program is at rest if, at one moment, none of its threads is running or waiting for a processor. The same must be true
+of our threads that receive the program's messages. Two conditions prove that: we saw each thread asleep, and none was
 scheduled between the first poll and the last. Linux counts how often each thread was scheduled (`schedstat`, see
 https://docs.kernel.org/scheduler/sched-stats.html).
 
@@ -17,14 +17,17 @@ from workbook.watching.sleeps import CALLS, goes_on_by_itself
 from workbook.watching.threads import Thread, ThreadTable
 
 LISTED_EVERY_S = 0.05
-"""How long (s) a child process's new thread may be missing from the list. The thread that started it is listed."""
+"""How long (s) a child process's new thread may be missing from the list, while the thread that started it is
+listed."""
 LONGEST_WAIT_S = 0.25
 """The longest wait (s) for a callback that computes or sleeps."""
 WORK_WAITS, SLEEP_WAITS = 4, 2
-"""After this many waits in vain, a program counts as one that doesn't come to rest."""
+"""After this many waits in vain, because a thread was at work or asleep, we assume that the program never comes to
+rest."""
 POLL_S = 0.0001
 POLL_SHARE = 0.1
-"""Share of the time waited so far. Polling more often would only take the processor from the program."""
+"""The pause between two polls, as a share of the time waited so far. More frequent polls would slow the program
+down."""
 FIRST_LOOK_SHARE = 0.5
 LONGEST_UNLOOKED_S = 0.001
 """Before the first poll, wait half as long as the previous step took. This value (s) caps the wait."""
@@ -44,7 +47,7 @@ class LockStep:
     `works` is False if waiting is useless: the kernel doesn't report threads, the program runs by its own sleeps, or
     it's always at work. Examples of such work are a MultiThreadedExecutor that waits for a free thread, or a loop
     without a pause. `never_in_vain`: whether each wait so far ended with the program at rest. `slept_s` and
-    `longest_nap_s`: the total and the longest time (s) for which waits saw a thread sleep before the program came to
+    `longest_nap_s`: the total and the longest time (s) that we waited for a sleeping thread before the program came to
     rest.
     """
 
@@ -87,7 +90,7 @@ class LockStep:
     def state(self) -> State:
         """Return the program's current state.
 
-        Polling all threads takes some time, for which the program has to wait on a busy machine.
+        Polling all threads takes CPU time, which the program has to wait for on a busy machine.
         """
         threads = self._table.threads()
         if self._suspect in threads and proc.is_at_work(self._suspect.stat):
@@ -116,16 +119,13 @@ class LockStep:
         return answer
 
     def close(self) -> None:
-        """Close the files with the threads' states."""
+        """Close the files that report the threads' states."""
         self._suspect = None
         self._naps.clear()
         self._table.close()
 
     def _is_told(self) -> bool:
-        """Return whether the kernel reports how often threads are scheduled.
-
-        It must also report the system calls that the program's threads are in.
-        """
+        """Return whether the kernel reports how often threads are scheduled, and which system calls they're in."""
         threads = self._table.threads()
         calls = [thread.syscall for thread in threads if thread.syscall is not None]
         counted = all(len(_times_scheduled(thread).split()) == 3 for thread in threads)

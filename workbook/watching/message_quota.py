@@ -1,10 +1,10 @@
-"""Limit the kept messages of other programs by number and bytes, for one topic or for several together."""
+"""Limit the number and the total bytes of the messages that we keep, for one topic or for several topics together."""
 
 
 class MessageQuota:
     """A quota for kept messages.
 
-    Once a message doesn't fit, no later message is kept, so that the kept ones have no gap.
+    Once a message doesn't fit, no later message is kept either, so the kept messages have no gaps.
     """
 
     def __init__(self, most_bytes: int, most_messages: int) -> None:
@@ -19,7 +19,10 @@ class MessageQuota:
         self.is_short_of_bytes = self._is_full = False
 
     def take(self, size: int, messages: int = 1) -> bool:
-        """Use up `size` bytes and a number of messages. Return False if the quota is exhausted."""
+        """Take `size` bytes and a number of messages from the quota.
+
+        Return False if they don't fit, or once any didn't fit.
+        """
         if not self._is_full:
             self.is_short_of_bytes = size > self._bytes
             self._is_full = self.is_short_of_bytes or messages > self._messages

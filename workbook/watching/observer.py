@@ -14,10 +14,11 @@ from workbook.watching.watch import Watch
 
 
 class Observer:
-    """Leases a domain and watches programs on it, one after another, in a `tier` of isolation or (None) without.
+    """Leases a domain, and watches programs on it, one after another.
 
-    Keep one per slot. After a program was killed, the observer moves to another domain, because a killed program's
-    nodes stay on the graph for a while. `on_take`: called whenever messages were taken.
+    `tier`: their isolation tier; None for no isolation. Each slot has one observer. After a program has been killed,
+    the observer moves to another domain, because a killed program's nodes stay in the graph for a while. `on_take`: the
+    function to call whenever messages have been taken; None for no call.
     """
 
     on_take: OnTake | None = None
@@ -45,9 +46,9 @@ class Observer:
             self._lease = None
 
     def move(self) -> None:
-        """Lease another domain, and let the current one cool down.
+        """Lease another domain.
 
-        Killed programs stay on its graph for a while.
+        The current one isn't used for a while, because killed programs are still in its graph.
         """
         if self._lease is not None:
             self._lease.release(killed=True)
@@ -72,6 +73,7 @@ class Observer:
     def watch(self, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None = None) -> Watch:
         """Start a program and return the running watch. Use it as a context manager.
 
-        `process`: the program, if it's already running on this domain. Raise OSError if the program can't be started.
+        `process`: the program's process, if it's already running on this domain. Raises OSError if the program can't be
+        started.
         """
         return Watch(self, spec, plan, clock, process)

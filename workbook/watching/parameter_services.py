@@ -26,7 +26,7 @@ class ParameterServices:
         self._spinning: set[str] = set()
 
     def all_spin(self, names: Iterable[str]) -> bool:
-        """Return whether all of these nodes (fully qualified names) have responded by now; False without nodes."""
+        """Return whether all nodes with these fully qualified names have responded so far; False for no names."""
         wanted = set(names)
         for name in wanted - self._spinning:
             if name not in self._asked and self._send(GetParameters, name, names=[USE_SIM_TIME]):
@@ -39,10 +39,10 @@ class ParameterServices:
     def set_sim_time(
         self, names: Iterable[str], value: bool, until: float, meanwhile: Callable[[], bool]
     ) -> bool:
-        """Set `use_sim_time` of these nodes, and return whether all have accepted it.
+        """Set `use_sim_time` of the named nodes to `value`, and return whether all of them have accepted it.
 
-        Give up at the moment `until` (`time.monotonic`, s). `meanwhile` is called while nodes haven't responded; also
-        give up if it returns False.
+        Give up at the moment `until` (`time.monotonic`, s). During the wait for responses, `meanwhile` is called
+        repeatedly; if it returns False, give up, too.
         """
         wanted = Parameter(
             name=USE_SIM_TIME, value=ParameterValue(type=ParameterType.PARAMETER_BOOL, bool_value=value)
@@ -82,7 +82,7 @@ class ParameterServices:
         return True
 
     def _take(self, kind: Any, name: str) -> Any:
-        """Return the response; None if it hasn't arrived yet."""
+        """Return a node's response to our request; None if it hasn't arrived yet."""
         client = self._client(kind, name)
         with client.handle:
             header, response = client.handle.take_response(kind.Response)

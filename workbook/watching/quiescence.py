@@ -14,15 +14,13 @@ LISTED_EVERY_S = 0.1
 
 
 class Quiescence:
-    """Waits until no thread of a program is running or waiting for a core.
+    """Waits until no thread of a program, and none of ours that receive messages, is running or waiting for a core.
 
-    The same applies to our threads that receive messages.
+    On a busy machine, a program may have to wait for a core. If simulated time went on, it would miss clock ticks,
+    although it isn't at fault. So the code that advances simulated time waits for quiescence before each step.
 
-    On a busy machine, a program that waits for a core would miss ticks if simulated time went on, although it isn't at
-    fault. So the driver of simulated time waits for quiescence before each step.
-
-    Some programs are never quiet, such as a loop without a pause. We wait for them at most `LONGEST_WAIT_S` per call
-    and `BUDGET_S` in all (s). If the states can't be read, everything counts as quiet.
+    Some programs are never quiet, such as a loop without a pause. We wait for such a program at most `LONGEST_WAIT_S`
+    per call and `BUDGET_S` in total (s). If the states can't be read, everything counts as quiet.
     """
 
     def __init__(self, pid: int) -> None:
@@ -51,6 +49,6 @@ class Quiescence:
         return self._suspect is None
 
     def close(self) -> None:
-        """Close the files with the threads' states."""
+        """Close the files that report the threads' states."""
         self._suspect = None
         self._table.close()

@@ -39,7 +39,7 @@ TOPICS_WATCHED = 64
 TAKEN_AT_ONCE = 2_000
 """How many messages of one topic are taken before the next topic's turn.
 
-So a program that publishes faster than we can take can't stall the watch.
+This way, a program that publishes faster than we can take messages doesn't stall the watch.
 """
 PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
 CLOCK_WAS_SET_S = 0.5
@@ -51,15 +51,15 @@ class Recorder:
     """Watches one context's graph, and records every topic that other programs publish.
 
     `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). An arrival is stamped with the moment
-    at which DDS received it, so a late `take` does no harm. `started_at` is the zero of wall time. `look` reads changes
-    of the graph, and `take` the messages; neither waits. Endpoints in the context of `node` are left out, even if other
-    programs use their names. Invalid names are left out, too, without losing other topics: if topics can't be listed
-    because of them, the `judged` ones are still recorded. Judged topics are also recorded if a program publishes more
-    than `TOPICS_WATCHED` topics.
+    at which DDS received the message, so a late `take` does no harm. Wall time counts from `started_at`. `look` reads
+    changes in the graph, and `take` reads the messages; neither waits. Endpoints in the context of `node` are left out,
+    but not other programs' endpoints with the same names. Invalid names are left out, too, without losing other topics:
+    if topics can't be listed because of them, the `judged` ones are still recorded. Judged topics are also recorded if
+    a program publishes more than `TOPICS_WATCHED` topics.
 
-    Each judged topic has a quota of `KEPT_PER_TOPIC` messages and `bytes_per_topic`; all others share another one. Our
-    own messages don't count: `own_bytes` gives their size by topic. `features`: see `Plan`. `on_take` is called with
-    the recorder after each `take`.
+    Each judged topic has a quota of `KEPT_PER_TOPIC` messages and `bytes_per_topic`; all other topics share one quota.
+    Our own messages don't count toward it: `own_bytes` gives their total size by topic. `features`: see `Plan`.
+    `on_take` is called with the recorder after each `take`.
     """
 
     def __init__(
@@ -108,7 +108,7 @@ class Recorder:
         return new
 
     def look_at_nodes(self) -> bool:
-        """Note the nodes that are on the graph now. Return whether one is new."""
+        """Record the nodes that are in the graph now. Return whether any name is new."""
         new = False
         for full, how_many in self.present().items():
             known = self._nodes.get(full)
@@ -127,7 +127,7 @@ class Recorder:
         return [topic for topic, _ in listed if topic not in INFRASTRUCTURE and is_name(topic)]
 
     def present(self) -> Counter[str]:
-        """Count other programs' nodes that are on the graph now, by fully qualified name."""
+        """Count other programs' nodes that are in the graph now, by fully qualified name."""
         nobody: list[tuple[str, str]] = []
         names = or_default(self._node.get_node_names_and_namespaces, nobody)
         full = (full_name(namespace, name) for name, namespace in names if name != NODE_UNKNOWN)
@@ -135,9 +135,9 @@ class Recorder:
         return present - Counter([self._own_name])  # one of them is ours
 
     def look_at_services(self) -> None:
-        """Note the services that other programs currently offer or have clients for, except parameter services.
+        """Record the services that other programs currently offer or have clients for, except parameter services.
 
-        Skip nodes that have our name: services are found by node name, so we couldn't tell theirs from ours.
+        Skip nodes with our node's name: services are looked up by node name, so we couldn't tell theirs from ours.
         """
         for full in self.present():
             if full == self._own_name:
@@ -155,14 +155,14 @@ class Recorder:
             self._clients |= _own_services(called)
 
     def nodes_on_clock(self) -> tuple[str, ...]:
-        """Return the fully qualified names of other programs' nodes that subscribe to /clock now, sorted, each once."""
+        """Return the fully qualified names of other programs' nodes that subscribe to /clock now, sorted."""
         nothing: list[TopicEndpointInfo] = []
         found = or_default(lambda: self._node.get_subscriptions_info_by_topic("/clock"), nothing)
         others = (info for info in found if not self._is_own(gid_of(info)))
         return tuple(sorted({full_name(info.node_namespace, info.node_name) for info in others}))
 
     def look_who_stays(self, patience_s: float) -> None:
-        """Note which of the program's nodes are still on the graph `patience_s` (s) after its end."""
+        """Wait up to `patience_s` (s) for an ended program's nodes to leave the graph, and record which ones stay."""
         deadline = time.monotonic() + patience_s
         while (left := self.present()) and time.monotonic() < deadline:
             time.sleep(_LOOK_AGAIN_S)
@@ -194,8 +194,8 @@ class Recorder:
     def _is_worth_a_look(self, watched: WatchedTopic) -> bool:
         """Return whether to list a topic's endpoints, which is expensive.
 
-        We do if their number has changed, or if something about them is still unknown. Every few polls, we list them
-        anyway, because one endpoint may have replaced another between two polls.
+        We list them if their number has changed, or if some information about them is still missing. Every few polls,
+        we list them anyway, because one endpoint may have replaced another between two polls.
         """
         endpoints = (self._node.count_publishers(watched.name), self._node.count_subscribers(watched.name))
         watched.looks += 1
@@ -295,9 +295,9 @@ class Recorder:
             self._on_take(self)
 
     def kept_until_now(self) -> dict[str, int | None]:
-        """Return how many messages each judged topic has kept for a new subscription.
+        """Return how many messages a new subscription receives that were published earlier, for each judged topic.
 
-        Only topics that promise to keep messages are included.
+        Only topics that promise to keep messages are included. See `received_late`, which also defines None.
         """
         judged = (self._topics[name] for name in self._judged if name in self._topics)
         return {one.name: received_late(self._node, one) for one in judged if is_to_be_kept(one)}
@@ -313,7 +313,7 @@ class Recorder:
         watched.keep(self._simulated_time(moment), wall, sent - self._started_at, raw)
 
     def so_far(self) -> Iterator[tuple[str, str, int, Any]]:
-        """Yield each topic with messages: name, type, number of messages, and the last message as from `latest`."""
+        """Yield the name, type, number of messages, and last message (see `latest`) of each topic with messages."""
         for name, watched in sorted(self._topics.items()):
             if watched.came:
                 yield name, watched.subscribed_type or "", len(watched.came), watched.latest()
@@ -324,23 +324,23 @@ class Recorder:
         return watched is not None and watched.matched_at is not None
 
     def times(self, topic: str) -> list[float]:
-        """Return when messages on `topic` arrived, up to the last `take` (s of simulated time)."""
+        """Return the arrival times (simulated time, s) of the messages on `topic`, up to the last `take`."""
         watched = self._topics.get(topic)
         return [] if watched is None else [one.t for one in watched.came]
 
     def is_flooded(self, topic: str) -> bool:
-        """Return whether a topic's latest messages arrived faster than any exercise's rate."""
+        """Return whether a topic's latest messages arrived faster than any exercise requires."""
         watched = self._topics.get(topic)
         came = [] if watched is None else watched.came[-FLOOD_MESSAGES:]
         return len(came) == FLOOD_MESSAGES and came[-1].t - came[0].t < FLOOD_S
 
     def matched_at(self, topic: str) -> float | None:
-        """Return since when (s of simulated time) `topic` has been recorded; None if it never was."""
+        """Return the simulated time (s) at which our subscription to `topic` found a publisher; None if it didn't."""
         watched = self._topics.get(topic)
         return None if watched is None else watched.matched_at
 
     def has_unmatched_publisher(self, topic: str) -> bool:
-        """Return whether a program publishes `topic`, but the recorder's own subscription isn't connected yet."""
+        """Return whether a program publishes on `topic`, but the recorder's own subscription isn't connected yet."""
         return not self.matched(topic) and self._node.count_publishers(topic) > 0
 
     def knows_its_nodes(self) -> bool:
@@ -372,9 +372,9 @@ class Recorder:
         return tuple(self._clients[key] for key in sorted(self._clients))
 
     def start_windows(self, t: float) -> None:
-        """Begin the watch at simulated time `t`. Earlier matches and endpoints count from then.
+        """Begin the watch at simulated time `t`. Matches and endpoints from before count as found at `t`.
 
-        On the wall clock, simulated time begins only now, so earlier moments would be wrong.
+        On the wall clock, simulated time begins only now, so times recorded earlier would be wrong.
         """
         for watched in self._topics.values():
             if watched.matched_at is not None:

@@ -20,13 +20,13 @@ from workbook.watching.values import plain
 SERVED_EVERY_S = 0.01
 LATE_S = 0.02
 CALLS_KEPT = 2_000
-"""Calls after this many are neither answered nor recorded, because a program may call endlessly."""
+"""After this many calls, further ones get no response and aren't recorded, because a program may call endlessly."""
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
     """Set a message's fields from plain data, and nested messages from nested mappings. Return the message.
 
-    Bytes are converted to an array, because with field checks, a message checks each byte of any other type.
+    `bytes` values are converted to `array`, because with field checks, a message checks any other type byte by byte.
     """
     for name, item in value.items():
         if isinstance(item, Mapping):
@@ -51,14 +51,14 @@ def _qos(part: Publishes) -> QoSProfile:
 
 @dataclass
 class _Delay:
-    """The delay (s) of a script's lines. All parts share it, so that they stay in sync."""
+    """The delay (s) of a script's lines. All parts of the script share one `_Delay`, so that they stay in sync."""
 
     late_s: float = 0.0
 
 
 @dataclass
 class _Due:
-    """The remaining lines of a part."""
+    """The remaining lines of one part of a script."""
 
     lines: list[Line]
     delay: _Delay
@@ -72,9 +72,9 @@ class _Due:
         return now
 
     def take_apart(self, t: float) -> list[Line]:
-        """Take the lines for the next planned moment, if it's due.
+        """Take the lines that are planned for the next moment, if it has come.
 
-        If they're late, all later lines are delayed as much, so that the pauses stay the same.
+        If they're late by more than `LATE_S`, delay all later lines by as much, so that the pauses stay the same.
         """
         if self.next_at() > t:
             return []
@@ -86,8 +86,8 @@ class _Due:
 class ScriptPlayer:
     """Plays a script from one node. The constructor publishes lines that are due before the program starts.
 
-    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). `started_at` is the zero of wall time:
-    set it when the program is started. `play` and `poll` never wait.
+    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). Wall time counts from `started_at`,
+    which must be set when the program is started. `play` and `poll` never wait.
     """
 
     def __init__(self, node: Node, script: Script, simulated_time: Callable[[float], float]) -> None:
@@ -123,7 +123,7 @@ class ScriptPlayer:
         self._say(BEFORE_START)
 
     def bytes_by_topic(self) -> dict[str, int]:
-        """Return how many bytes of messages the script publishes on each topic in all."""
+        """Return the total size (bytes) of the messages that the script publishes on each topic."""
         sizes: dict[str, int] = {}
         for part in self._script.parts:
             if isinstance(part, Publishes):
@@ -142,7 +142,7 @@ class ScriptPlayer:
     def play(self, t: float, *, keep_pauses: bool = False) -> None:
         """Send every line that is due at simulated time `t` (s), and handle requests and responses.
 
-        With `keep_pauses`, a late line delays the lines after it by as much, so that the planned pauses stay.
+        With `keep_pauses`, a late line delays the lines after it by as much, so that the planned pauses don't shrink.
         """
         take = _Due.take_apart if keep_pauses else _Due.take
         self._say(t, take)
@@ -167,9 +167,10 @@ class ScriptPlayer:
             self._collect(called)
 
     def until_next(self, t: float) -> float:
-        """Return the robot seconds from `t` to the next line; infinite if there is none.
+        """Return the simulated time (s) from `t` to the next line; infinite if there is none.
 
-        With a service or a client, it's at most `SERVED_EVERY_S`, because a request or response may arrive at any time.
+        If the script has a service or a client, the result is at most `SERVED_EVERY_S`, because a request or response
+        may arrive at any time.
         """
         due = [one.next_at() - t for one in self._dues()]
         if self._services or self._clients:
@@ -181,7 +182,7 @@ class ScriptPlayer:
         return tuple(self._published)
 
     def unpublished(self) -> tuple[Published, ...]:
-        """Return the messages that are still to be published, in order. Their times are when they're due."""
+        """Return the messages that are still to be published, in order, with their planned simulated times (s)."""
         to_come = [(part, line) for part, _, due in self._publishers for line in due.lines]
         return tuple(
             Published(part.topic, line.at, line.at, plain(fill(message_class(part.type)(), line.value)))
@@ -251,7 +252,7 @@ class ScriptPlayer:
 
 
 class _Offered:
-    """One of our services, with the requests that wait for a response."""
+    """A service that the script offers, with the requests that wait for a response."""
 
     def __init__(self, part: Serves, service: Any) -> None:
         self.part = part
@@ -262,7 +263,7 @@ class _Offered:
 
 
 class _Called:
-    """One of the program's services, with our calls that wait for a response."""
+    """A service of the program that the script calls, with our calls that wait for a response."""
 
     def __init__(self, part: Calls, client: Any, due: _Due) -> None:
         self.part = part

@@ -1,4 +1,4 @@
-"""Hold the parts of a watch: the judge's node, clock, script player, and recorder, and the program."""
+"""Hold the parts of a watch: the program, and the judge's node, clock, script player, and recorder."""
 
 import secrets
 import time
@@ -21,7 +21,8 @@ from workbook.watching.recorder import OnTake, Recorder
 from workbook.watching.script_player import ScriptPlayer
 
 REMEMBERED_S = 20
-"""How long (s) other participants remember a vanished program, if we judge whether its nodes leave with it."""
+"""How long (s) other participants keep a vanished program in the graph, if we judge whether its nodes leave the
+graph."""
 
 
 class Place(Protocol):
@@ -33,19 +34,19 @@ class Place(Protocol):
 
     @property
     def tier(self) -> Tier | None:
-        """The tier of isolation in which the program runs."""
+        """The isolation tier in which the program runs; None for no isolation."""
 
     @property
     def on_take(self) -> OnTake | None:
-        """The function that is called whenever messages were taken."""
+        """The function to call whenever messages have been taken; None for no call."""
 
     def move(self) -> None:
-        """Use another domain from now on."""
+        """Switch to another domain for the programs that follow."""
 
 
 @dataclass
 class Delays:
-    """Times (s) for which the judge or the program got no processor, as stored in the recording."""
+    """The times (s) for which the judge or the program got no processor, as stored in the recording."""
 
     held_up: float = 0.0
     longest_steal: float = 0.0
@@ -57,8 +58,8 @@ class Delays:
 class Session:
     """The parts of one watch.
 
-    `clock`: None until the program is to be switched to simulated time. `began`: when (`time.monotonic`, s) simulated
-    time begins on the wall clock.
+    `clock`: the simulated clock; None on the wall clock, and until the switch to simulated time begins. `began`: on the
+    wall clock, the moment (`time.monotonic`, s) that counts as simulated time zero.
     """
 
     place: Place
@@ -80,14 +81,17 @@ class Session:
         return moment - self.began
 
     def close(self) -> None:
-        """Leave the graph."""
+        """Destroy the judge's node, and shut its context down, unless that has already happened."""
         if self.context.ok():
             self.node.destroy_node()
             rclpy.shutdown(context=self.context)
 
 
 def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProcess | None) -> Session:
-    """Join the graph, and start the program unless it runs as `process`. Raise OSError if it can't be started."""
+    """Create the judge's node, and start the program unless it already runs as `process`.
+
+    Raises OSError if the program can't be started.
+    """
     context = Context()
     rclpy.init(
         context=context,

@@ -1,7 +1,7 @@
-"""Drive simulated time: in lockstep with a program that comes to rest, and at a fixed speed with any other.
+"""Advance simulated time: in lockstep with a program that comes to rest after each step, or else at a fixed speed.
 
-Fast and slow blocks alternate, so that we can detect a program on the wall clock, even if it stops early (see
-`following`). A slow block ends once it has proved that every topic follows the clock, and the rest of it is fast.
+Fast and slow blocks alternate, so that we can detect a program on the wall clock, even if the program stops early (see
+`following`). Once a slow block has proved that every topic follows the clock, the rest of the block is fast.
 """
 
 import math
@@ -17,28 +17,29 @@ from workbook.watching.session import Session
 
 LOOK_EVERY_S = 0.1
 SLOWER = 2.2
-"""A step of a slow block takes this many times longer than the slowest step so far of fast blocks.
+"""The factor by which a slow block's step takes longer than the slowest step of the fast blocks so far.
 
-The factor exceeds the required 2, because the next fast block may be a little slower.
+It exceeds the required 2, because the next fast block may be a little slower.
 """
 SETTLE_S = 0.005
 LATE_MATCH_S = 0.3
-"""How long (s) the clock pauses in all for a topic's late publishers. The total is limited, because a publisher that
-can't be connected must not delay it again and again."""
+"""How long (s) the clock pauses in total for a topic's late publishers. The total is limited, so that a publisher
+that can't be connected doesn't delay the clock again and again."""
 MOST_REAL_S = 40.0
-"""How much real time (s) simulated time may take in all. After that, the program is judged on the wall clock."""
+"""How much real time (s) a watch in simulated time may take. After that, the program is judged on the wall clock."""
 CLEARLY_FASTER = 2.0
-"""If a program works and sleeps longer than simulated time divided by this, real time might be too short for it."""
+"""If a program works and sleeps for longer than the simulated time divided by this, it may be too slow in real time."""
 LEAST_TAKEN_S = 0.5
-"""That is decided only once a program has worked and slept for this long (s)."""
+"""`CLEARLY_FASTER` is applied only once a program has worked and slept for this long (s)."""
 LONGEST_NAP_PERIODS = 0.5
-"""Share of the shortest judged period. Lockstep would wait for a callback that sleeps longer; real time wouldn't."""
+"""The longest sleep of a callback, as a share of the shortest judged period. Lockstep waits for it; real time
+doesn't."""
 MOST_EXTRA_S = 60.0
 """The most simulated time (s) added for topics with too few messages to tell whether they follow the clock."""
 
 
 class SimulatedRun:
-    """Drives the clock of one watch. `stretches`: the stretches driven so far, with their measured speeds."""
+    """Advances one watch's clock. `stretches`: the stretches of simulated time so far, with their measured speeds."""
 
     def __init__(self, session: Session, clock: SimulatedClock) -> None:
         self._session = session
@@ -52,26 +53,29 @@ class SimulatedRun:
         self.stretches: list[Stretch] = []
 
     def run_as_planned(self) -> float:
-        """Drive the clock through the planned time, as long as the program runs. Return the simulated time (s) then."""
+        """Advance the clock through the planned time, or until the program ends. Return the simulated time (s)."""
         plan = self._session.plan
         pairs = max(1, math.floor(plan.simulated_s / (2 * PERIODS_PER_BLOCK * plan.longest_period)))
         self._run(plan.simulated_s, pairs)
         return self._clock.now
 
     def run_longer(self) -> None:
-        """Drive the clock further if that can show whether a topic follows it. This time isn't judged."""
+        """Advance the clock further if that may show whether a topic follows it.
+
+        Messages in this extra time aren't judged.
+        """
         unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
         if unsure and self._lock.works and self._session.process.is_running() and not self.outpaced:
             interval = max(self._clock.now / len(times) for times in unsure)
             self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
     def _unsure(self, topic: str) -> list[float]:
-        """Return a topic's arrival times (s of simulated time) if nothing is proved about it yet; otherwise, []."""
+        """Return a topic's arrival times (simulated time, s), or [] if they prove whether it follows the clock."""
         times = self._session.recorder.times(topic)
         return times if follows(self.stretches, times, self._session.plan.step_s) is None else []
 
     def following(self) -> dict[str, bool]:
-        """Return, for each topic with proof, whether it follows the clock."""
+        """Return whether each topic follows the clock. Topics that nothing is proved about are left out."""
         found = {}
         for name in self._session.plan.paced:
             proved = follows(self.stretches, self._session.recorder.times(name), self._session.plan.step_s)
@@ -86,11 +90,11 @@ class SimulatedRun:
 
     @property
     def outpaced(self) -> bool:
-        """Whether simulated time proves nothing, because the program prevents it from being much faster than real time.
+        """Whether the program must be judged on the wall clock, because it slows down simulated time too much.
 
         Lockstep waits for callbacks that work or sleep, but in real time, such callbacks make the program late. We
-        count CPU time and sleep, because delays on a busy machine aren't the program's fault. With a flood of messages,
-        the wall clock also shows sooner what else the program does.
+        count CPU time and sleep, but no other delays, because a busy machine isn't the program's fault. A program that
+        floods a topic is also judged on the wall clock, which shows sooner what else the program does.
         """
         taken_s = self._used_s - self._used_before_s + self._lock.slept_s
         slow = taken_s > max(LEAST_TAKEN_S, self._clock.now / CLEARLY_FASTER)
@@ -99,7 +103,7 @@ class SimulatedRun:
         return slow or naps or flooded or time.monotonic() > self._until
 
     def close(self) -> None:
-        """Close the files with the threads' states."""
+        """Close the files that report the threads' states."""
         self._lock.close()
 
     def _run(self, simulated_s: float, pairs: int) -> None:
@@ -114,14 +118,17 @@ class SimulatedRun:
             self._run_block(end, fast=True)
 
     def _run_block(self, end: float, *, fast: bool, earlier: int = 0) -> None:
-        """Drive the clock to `end`. A slow block ends when the stretches since `earlier` prove that topics follow."""
+        """Advance the clock to `end`.
+
+        A slow block ends once the stretches from index `earlier` on prove that topics follow.
+        """
         while self._clock.now < end and self._session.process.is_running() and not self.outpaced:
             self._run_phase(end, fast=fast, earlier=earlier)
             if not fast and self._is_proved(self.stretches[earlier:]):
                 return
 
     def _run_phase(self, end: float, *, fast: bool, earlier: int) -> None:
-        """Drive the clock at one speed to `end`, until all is proved, or until lockstep starts or stops working."""
+        """Advance the clock at one speed to `end`, or until everything is proved or `LockStep.works` changes."""
         session, clock, locked = self._session, self._clock, self._lock.works
         begin, began, steps, proved = clock.now, time.monotonic(), 0, False
         clock.run_at(self._speed(fast=fast, locked=locked))
@@ -161,9 +168,10 @@ class SimulatedRun:
         )
 
     def _match_late_publishers(self) -> None:
-        """Pause the clock until late publishers are connected.
+        """Pause the clock until late publishers are connected, but at most `LATE_MATCH_S` per topic.
 
-        Messages before that are lost, in real time, too, but fast simulated time must not lose more of them.
+        Messages published earlier are lost. That also happens in real time, but simulated time is faster, so without a
+        pause, it would lose more of them.
         """
         recorder = self._session.recorder
         for topic, left in self._late_match_s.items():
@@ -175,17 +183,17 @@ class SimulatedRun:
                 self._late_match_s[topic] = left
 
     def _wait(self, *, locked: bool) -> None:
-        """Wait until the effects of the last step are over and their messages have arrived."""
+        """Wait until the program has handled the last step and its messages have arrived."""
         if locked:
             self._lock.wait()
         else:
             self._session.quiescence.wait()
 
     def _speed(self, *, fast: bool, locked: bool) -> float:
-        """Return the robot seconds per real second at which to drive the clock.
+        """Return the speed at which to advance the clock, in simulated seconds per real second.
 
-        Infinite means as fast as the program can follow. A slow block is slow relative to the measured fast blocks,
-        which are slower than intended on a busy machine.
+        Infinite means as fast as the program can follow. A slow block's speed depends on the measured speed of the fast
+        blocks, which are slower than intended on a busy machine.
         """
         if fast:
             return math.inf if locked else SPEEDS[1]
@@ -195,5 +203,5 @@ class SimulatedRun:
 
 
 def _stretch(begin: float, now: float, began: float) -> Stretch:
-    """Return the stretch of simulated time (s) from `begin` to `now`, driven since the moment `began`."""
+    """Return the stretch of simulated time (s) from `begin` to `now`. It began at `began` (`time.monotonic`, s)."""
     return Stretch(round((now - begin) / (time.monotonic() - began), 3), begin, now)

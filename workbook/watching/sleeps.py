@@ -1,4 +1,4 @@
-"""Determine from a thread's system call whether the thread sleeps for a time that it has chosen itself.
+"""Determine from a thread's system call whether the thread sleeps for a time that it chose itself.
 
 `time.sleep` makes one of the `nanosleep` calls. An event loop (asyncio, selectors, zmq) sleeps in `epoll_wait` or
 `poll` with a numeric timeout. A futex wait with a timeout proves nothing, because rclpy itself waits like that.
@@ -8,7 +8,8 @@ import os
 from collections.abc import Callable, Sequence
 
 SHORT_MS = 250
-"""A poll with a longer timeout (ms) counts as rest. Programs that spin nodes in a thread wait like that elsewhere."""
+"""A `poll` with a longer timeout (ms) counts as rest: programs that spin nodes in one thread wait like that in
+another."""
 
 Sleeps = Callable[[Sequence[bytes]], bool]
 
@@ -18,12 +19,15 @@ def _always(_: Sequence[bytes]) -> bool:
 
 
 def _milliseconds(place: int) -> Sleeps:
-    """Return a test for calls whose argument at `place` is a timeout (ms). A negative one means forever."""
+    """Return a test for calls whose argument at `place` is a timeout (ms). A negative timeout means forever."""
     return lambda arguments: int(arguments[place], 16) & 0xFFFFFFFF <= SHORT_MS
 
 
 def _pointer(place: int) -> Sleeps:
-    """Return a test for calls whose argument at `place` points to a timeout that we can't read. Null means forever."""
+    """Return a test for calls whose argument at `place` points to a timeout that we can't read.
+
+    A null pointer means forever.
+    """
     return lambda arguments: int(arguments[place], 16) != 0
 
 
@@ -47,10 +51,11 @@ _CALLS: dict[str, dict[bytes, Sleeps]] = {
     },
 }
 CALLS = _CALLS.get(os.uname().machine, {})
-"""By call number: whether a thread in this call soon continues by itself. Empty for unknown machine types."""
+"""Maps a call's number to a test of its arguments: does the thread soon continue by itself? Empty on unknown
+machines."""
 
 
 def goes_on_by_itself(call: bytes) -> bool:
-    """Return whether a thread in this call soon continues without any message. `call`: its number and arguments."""
+    """Return whether a thread in this system call soon continues by itself. `call`: the call's number and arguments."""
     number, *arguments = call.split() or [b""]
     return number in CALLS and len(arguments) > 4 and CALLS[number](arguments)

@@ -1,7 +1,7 @@
 """Measure steal time: how long a virtual machine's host takes a processor away from it.
 
-Threads on that processor are late, although no other process in the machine was busy. Linux adds a standstill in one
-piece once it's over; see proc_stat(5). On a machine with two processors, threads that overslept by 0.07 and 0.14 s
+Threads on that processor are late, although no other process in the virtual machine is busy. Linux counts a standstill
+only once it's over; see proc_stat(5). On a machine with two processors, threads that overslept by 0.07 and 0.14 s
 measured 0.09 and 0.14 s of steal time.
 """
 
@@ -12,7 +12,10 @@ from workbook.inside.proc import PROC_STAT, stolen_s
 
 
 class StealTime:
-    """Sums up steal time between polls. If two polls are far apart, many short standstills may add up."""
+    """Measures steal time between polls.
+
+    If two polls are far apart, many short standstills may look like a long one.
+    """
 
     def __init__(self, stat: str | PathLike[str] = PROC_STAT) -> None:
         self._stat = stat
@@ -20,7 +23,7 @@ class StealTime:
         self._at_first = self._before
 
     def longest_since_last(self) -> float:
-        """Return the longest time (s) for which a processor was taken away since the last poll."""
+        """Return the steal time (s) since the last poll, of the processor with the most."""
         now = stolen_s(self._stat)
         found = [seconds - self._before[name] for name, seconds in now.items() if name in self._before]
         self._before = now

@@ -7,20 +7,22 @@ from workbook.watching.parameter_services import ParameterServices
 from workbook.watching.session import Session
 
 ANSWERS_WITHIN_S = 5.0
-"""If a node's parameter services haven't responded by then (s), it isn't spinning, and the wall clock is used."""
+"""How long (s) a node's parameter services may take to respond. After that, we assume that the node isn't spinning,
+and use the wall clock."""
 FOLLOWS_WITHIN_S = 1.0
-"""The longest wait (s) for /clock subscriptions. Nodes create them before they respond; the graph shows them later."""
+"""The longest wait (s) for /clock subscriptions. Nodes create them before they respond, but the graph shows them
+later."""
 START_NS = 1_000_000
-"""If a program was started in simulated time, its timers count from zero. If the clock began late, all of them would be
-due right away."""
+"""The first clock time (ns) for a program that was started in simulated time. Its timers count from zero, so if the
+clock began much later, all of them would be due right away."""
 POLL_S = 0.001
 
 
 class TimeSwitch:
-    """Switches a session's program. `services`: its nodes' parameter services.
+    """Switches a session's program to simulated time. `services`: the parameter services of the program's nodes.
 
-    `is_real`: whether the program runs on real time. `from_start`: it was started in simulated time, as lessons do with
-    their own programs.
+    `is_real`: whether the program runs on real time. `from_start`: whether the program was started in simulated time,
+    as lessons do with their own programs.
     """
 
     def __init__(self, session: Session, *, from_start: bool = False) -> None:
@@ -33,7 +35,7 @@ class TimeSwitch:
             session.clock = SimulatedClock(session.node, session.plan.step_s, START_NS)
 
     def to_simulated_time(self, until: float) -> bool:
-        """Set `use_sim_time` on every node on the graph. Return whether all of them follow /clock now.
+        """Set `use_sim_time` on every node in the graph. Return whether all of them follow /clock now.
 
         If a node refuses, or hasn't responded by the moment `until` (`time.monotonic`, s), all nodes stay on real time
         or return to it.
@@ -56,7 +58,10 @@ class TimeSwitch:
         return False
 
     def keep_time(self) -> bool:
-        """Advance a clock that the program may still follow, in real time. Return whether the program is running."""
+        """Advance the clock, if there is one and its next step is due. Return whether the program is running.
+
+        Call this repeatedly after a switch, because the program may still follow the clock.
+        """
         clock = self._session.clock
         if clock is not None and self._session.context.ok() and clock.until_due() == 0.0:
             clock.advance()
@@ -74,7 +79,7 @@ class TimeSwitch:
         )
 
     def _is_followed(self, clock: SimulatedClock, nodes: int) -> bool:
-        """Wait until there are `nodes` subscriptions to /clock, because some processes appear long before others."""
+        """Wait until /clock has `nodes` subscriptions. Return False if it doesn't in time, or the program ends."""
         until = time.monotonic() + FOLLOWS_WITHIN_S
         while clock.followers() < nodes:
             if time.monotonic() > until or not self._session.process.is_running():

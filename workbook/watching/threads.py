@@ -1,4 +1,4 @@
-"""List a program's threads, and ours that receive its messages, with open files of their states."""
+"""List a program's threads, and our own threads that receive its messages. Keep the files with their states open."""
 
 import os
 import time
@@ -9,12 +9,16 @@ from dataclasses import dataclass
 from workbook.inside import proc
 
 OWN_THREADS = b"dds."
-"""The prefix that Fast DDS gives to the names of threads that receive messages."""
+"""The prefix of the names that Fast DDS gives to threads that receive messages."""
 
 
 @dataclass(frozen=True, eq=False)
 class Thread:
-    """A thread's open files. `syscall` is None for our own threads, or if the kernel doesn't let us read it."""
+    """The descriptors of a thread's files in /proc.
+
+    `schedstat` is None if the kernel doesn't have it. `syscall` is None for our own threads, or if the kernel doesn't
+    let us read it.
+    """
 
     stat: int
     schedstat: int | None
@@ -28,9 +32,10 @@ class Thread:
 
 
 class ThreadTable:
-    """Lists the threads of a program, whose first process is `pid`, and updates the list every `listed_every_s` (s).
+    """Lists the threads of a program, whose first process is `pid`, and our threads that receive messages.
 
-    It's also updated as soon as that process's number of threads changes.
+    `threads` updates the list if it's older than `listed_every_s` (s), or if that process's number of threads has
+    changed.
     """
 
     def __init__(self, pid: int, listed_every_s: float) -> None:
@@ -43,7 +48,7 @@ class ThreadTable:
         self._others: set[str] = set()
 
     def threads(self) -> list[Thread]:
-        """Return all threads, as of the last listing."""
+        """Return all threads. Update the list first if necessary."""
         how_many = proc.how_many_threads(self._pid)
         if how_many != self._how_many or time.monotonic() - self._listed_at >= self._every_s:
             self._how_many = how_many
@@ -65,7 +70,7 @@ class ThreadTable:
                 self._threads[folder] = _open(folder, of_program=wanted[folder])
 
     def _folders(self) -> Iterator[tuple[str, bool]]:
-        """Yield each thread's folder, and whether the thread belongs to the program."""
+        """Yield each thread's folder in /proc, and whether the thread belongs to the program."""
         there = set(proc.tasks(os.getpid()))
         self._receivers &= there
         self._others &= there
@@ -87,7 +92,7 @@ def _open(folder: str, *, of_program: bool) -> Thread:
 
 
 def _open_if(path: str) -> int | None:
-    """Open a file; return None if the kernel doesn't have it or doesn't let us read it."""
+    """Open a file. Return None if the kernel doesn't have it or doesn't let us read it."""
     try:
         return os.open(path, os.O_RDONLY | os.O_CLOEXEC)
     except OSError:

@@ -1,7 +1,7 @@
 """Test whether a tier isolates programs on this machine and lets their messages through.
 
-A slot runs this test before it judges its first answer. The test's program tries everything forbidden and publishes the
-results.
+A slot runs this test before it judges its first answer. The test runs a program, the probe, which tries everything
+that's forbidden and publishes the results.
 """
 
 import json
@@ -30,7 +30,10 @@ POLL_S = 0.01
 
 
 def problem_in(isolation: Isolation, found: dict[str, Any], ids: Ids | None) -> str | None:
-    """Return the problem with the probe's results; None if there is none."""
+    """Return the problem that the probe's results (`found`) show; None if there is none.
+
+    `ids`: the user ID that the probe should run as; None for our own.
+    """
     wrong = sorted(name for name in refuses(isolation) if found[name])
     if ids is not None and set(found["user"]) | set(found["groups"]) != {ids.user}:
         wrong.append(

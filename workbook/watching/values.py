@@ -10,7 +10,8 @@ from workbook.ros.messages import message_class
 LONGEST_ARRAY = 4096
 LONGEST_TEXT = 4096
 FIRST_OF_ARRAY = 64
-"""How many elements of a longer array are kept. A longer text keeps `LONGEST_TEXT` characters: people read it."""
+"""How many elements of a longer array are kept. Of a longer text, `LONGEST_TEXT` characters are kept, for people to
+read."""
 BYTES_PER_VALUE = 8
 
 
@@ -58,10 +59,11 @@ def _cut(length: int, first: Any, whole: bytes | None) -> dict[str, Any]:
 
 
 def with_features(data: Any, message: Any, features: Mapping[str, Feature]) -> Any:
-    """Add the exercise's features to the plain data of a message, and return the data.
+    """Add the features that the exercise computes from a message to the message's plain data, and return the data.
 
-    A field with features becomes `{"length": n, "first": [...], "features": ...}`, with a hash if it's long. Messages
-    are untrusted, so the features are None if the exercise's function raises an exception.
+    A field with features becomes `{"length": n, "first": [...], "features": ...}`, with a hash if it's long. The
+    features are None if they're too large, or if the exercise's function raises an exception, because messages are
+    untrusted.
     """
     for name, feature in features.items():
         if name in data:
@@ -80,7 +82,7 @@ def _features(message: Any, feature: Feature) -> Any:
 
 
 def _data_only(told: Any) -> Any:
-    """Convert a function's result, which may contain NumPy values, to plain data. Raise TypeError for anything else."""
+    """Convert a function's result to plain data. NumPy values are allowed; any other value raises TypeError."""
     if told is None or isinstance(told, (bool, int, float, str)):
         return told
     if isinstance(told, Mapping):

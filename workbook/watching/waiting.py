@@ -1,4 +1,4 @@
-"""Wait until a program is on the graph and connected with the judge in both directions."""
+"""Wait until a program is in the graph, and connected with the judge in both directions."""
 
 import time
 
@@ -7,15 +7,17 @@ from workbook.watching.session import Session
 
 FIRST_SIGN_S = 12.0
 STARTS_LONGEST_S = 30.0
-"""We wait this much longer (s) for a program that is at work and has used less than `STARTS_PROCESSOR_S`."""
+"""How much longer (s) than `FIRST_SIGN_S` we wait for a program that's at work and has used less than
+`STARTS_PROCESSOR_S`."""
 STARTS_PROCESSOR_S = 10.0
-"""The most CPU time (s) that startup may take. For comparison, we measured 2.2 s for `import torch`."""
+"""The most CPU time (s) that a program's startup may take. For comparison, we measured 2.2 s for `import torch`."""
 AT_REST_S = 1.0
 """If a program hasn't been at work for this long (s), its startup is over."""
 ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 UNANSWERED_S = 0.5
-"""If everything else is complete, but the nodes haven't responded for this long (s), they aren't spinning."""
+"""How long (s) to wait for nodes' responses once everything else is complete. After that, we assume that they don't
+spin."""
 SPINNING_S = 0.1
 """How long (s) a spinning node's new endpoints may take to reach us."""
 MATCH_S = 5.0
@@ -23,11 +25,14 @@ NO_PUBLISHER_S = 8.0
 POLL_S = 0.01
 HELD_STEPS = 5
 HELD_STEP_S = 0.003
-"""With a clock, the steps are shorter, and we also wait while the program is still busy with our messages."""
+"""With a clock, `let_it_match_us` waits this long (s) per step, instead of `POLL_S`."""
 
 
 def wait_for_first_sign(session: Session) -> bool:
-    """Wait until one of the program's publishers is on the graph. Return False if none appeared in time."""
+    """Wait until one of the program's publishers is in the graph. Return False if none appeared in time.
+
+    If the plan doesn't require a publisher (`node_suffices`), a node is enough.
+    """
     process, recorder = session.process, session.recorder
     deadline = time.monotonic() + FIRST_SIGN_S
     look_elsewhere = time.monotonic() + ELSEWHERE_S
@@ -54,10 +59,11 @@ def wait_for_first_sign(session: Session) -> bool:
 
 
 def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
-    """Return whether a program that isn't up by `deadline` has had too little CPU time for its start.
+    """Return whether a program that hasn't appeared by `deadline` may still be starting.
 
-    On a busy machine, it may still be importing large libraries. If it could run, an endless loop has used far more CPU
-    time by then. A program that was last seen `at_work` a while ago has nothing left to do.
+    On a busy machine, it may have had too little CPU time to import large libraries. A program in an endless loop has
+    used far more CPU time. A program that was last seen working a while ago (`at_work`, `time.monotonic`, s) has
+    nothing left to do.
     """
     now = time.monotonic()
     if now > min(deadline + STARTS_LONGEST_S, at_work + AT_REST_S):
@@ -67,12 +73,12 @@ def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
 
 
 def wait_for_matches(session: Session, services: ParameterServices | None = None) -> None:
-    """Wait until all endpoints of the exercise are connected with the judge, or until the missing ones won't appear.
+    """Wait until all of the exercise's endpoints are connected with the judge, or until we give up on the missing ones.
 
-    With `services`, before a switch to simulated time, we ask nodes whether they spin, because a program with spinning
-    nodes has finished its setup. DDS sends nodes' names separately from publishers, and on a busy machine, they arrive
-    much later. Without `services`, no node is asked, because responding runs a callback, which a program may count.
-    Instead, we wait until nothing new has appeared for a while.
+    Before a switch to simulated time, pass the nodes' parameter `services`. A node that responds is spinning, so its
+    program has finished its setup. DDS sends nodes' names separately from publishers, and on a busy machine, the names
+    arrive much later. Without `services`, no request is sent, because a response runs a callback, which a program may
+    count. Instead, we wait until nothing new has appeared for a while.
     """
     recorder = session.recorder
     looked = time.monotonic()
@@ -110,7 +116,7 @@ def _is_complete(session: Session) -> bool:
 def let_it_match_us(session: Session) -> None:
     """Give the program time to match our endpoints, and publish the start of simulated time in the meantime.
 
-    Matching isn't mutual right away: until the program has matched us, it misses our messages, and we miss its
+    We may match the program's endpoints before it matches ours. Until then, it misses our messages, and we miss its
     responses.
     """
     for _ in range(HELD_STEPS):

@@ -14,10 +14,11 @@ TAKE_EVERY_S = 0.05
 LOOK_EVERY_S = 0.1
 NOTE_EVERY_S = 0.2
 UNSCRIPTED_PACE = 4.0
-"""Without a script, messages can be taken this many times less often, because they carry their arrival times."""
+"""Without a script, we take messages this many times less often, which does no harm, because they carry arrival
+times."""
 OWN_LOAD_EVERY_S = 0.5
 CONSTANTLY = 0.8
-"""A thread with constant work wants a processor for at least this share of the time."""
+"""The share of all processors' time that a program's other threads must want to count as filling the machine."""
 
 
 def precedence(pid: int) -> tuple[int, ...]:
@@ -30,7 +31,7 @@ def precedence(pid: int) -> tuple[int, ...]:
 
 
 def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
-    """Return how long (s) each thread of some processes has run or waited for a processor, by process and thread."""
+    """Return how long (s) each thread of these processes has run or waited for a processor, by (process, thread)."""
     found = {}
     for pid in pids:
         for task in tasks(pid):
@@ -41,10 +42,10 @@ def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
 
 
 class OwnLoad:
-    """Detects whether a program itself makes the first thread of its process `pid` wait for a processor.
+    """Detects whether a program itself is the reason that the first thread of its process `pid` waits for a processor.
 
-    It does if its other threads want enough CPU time to keep all processors busy. Whether they get that time doesn't
-    matter, so a busy machine doesn't change the result. It also does if it has lowered its own priority.
+    It is if the program's other threads want enough CPU time to keep all processors busy. Whether they get that time
+    doesn't matter, so a busy machine doesn't change the result. It also is if the program has lowered its own priority.
     """
 
     def __init__(self, pid: int) -> None:
@@ -55,13 +56,13 @@ class OwnLoad:
         self._steps_back = False
 
     def note(self) -> None:
-        """Poll the threads. For threads that have ended since the last poll, the latest value is kept."""
+        """Poll the threads. Threads that have ended since the last poll keep their last value."""
         self._wanted |= wanted_processor_s(process_tree(self._pid))
         pairs = zip(precedence(self._pid), precedence(os.getpid()), strict=False)
         self._steps_back |= any(its > ours for its, ours in pairs)
 
     def is_to_blame(self) -> bool:
-        """Return whether the program itself is to blame, up to the last poll."""
+        """Return whether the program itself is the reason, judging by the polls so far."""
         return self._steps_back or self._fills_the_machine()
 
     def _fills_the_machine(self) -> bool:
@@ -75,9 +76,10 @@ class OwnLoad:
 
 
 def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bool] = lambda: False) -> None:
-    """Record for `seconds` of real time, as long as the program runs. Delays are noted in `session.delays`.
+    """Record for `seconds` of real time, or until the program ends. Store delays in `session.delays`.
 
-    Return early if `cancel_soak`, which is called about as often as messages are taken, returns True.
+    Return early if `cancel_soak`, which is called about as often as messages are taken, returns True, or if `is_lost`
+    does.
     """
     process, recorder, script_player, delays = (
         session.process,
@@ -120,16 +122,16 @@ def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bo
 
 
 def is_lost(session: Session) -> bool:
-    """Return whether every topic with a judged rate is flooded, so that a longer watch would show nothing more."""
+    """Return whether every topic with a judged rate is flooded, so a longer watch would show nothing more."""
     paced = session.plan.paced
     return bool(paced) and all(map(session.recorder.is_flooded, paced))
 
 
 def left_to_watch(session: Session) -> float:
-    """Return the wall time (s) left until every judged topic was watched in full, starting at the last match.
+    """Return the wall time (s) that's left until every judged topic has been watched for the planned time.
 
-    If lines of the script were late, the watch lasts that much longer. New delays may extend it again, so call this
-    function until nothing is left.
+    That time starts when the last topic is matched, and if lines of the script are late, it's that much longer. New
+    delays may extend it again, so call this function until the result isn't positive.
     """
     now = session.simulated_time(time.monotonic())
     since = map(session.recorder.matched_at, session.plan.topics)

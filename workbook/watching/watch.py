@@ -19,7 +19,7 @@ from workbook.watching.wall_time import is_lost, left_to_watch, run_wall_time
 
 GONE_S = 6.0
 KEPT_LOOK_S = 0.25
-"""How often (s) `keep_watching` checks for cancellation. The program's end is noticed right away."""
+"""How often (s) `keep_watching` checks for cancellation. It notices the program's end right away."""
 MOST_DELAYED_S = 60.0
 """A watch on the wall clock lasts at most this much longer (s) than planned, however late its script is."""
 PATIENCE_S = 0.7
@@ -27,11 +27,11 @@ PATIENCE_WITH_THE_END_S = 4.0
 
 
 class Watch:
-    """A watch of one program. `observe` makes the recording; the program then keeps running until the block ends.
+    """Watches one program. `observe` makes the recording; the program then keeps running until the `with` block ends.
 
     A program is started as its author would start it. With the "simulated" clock, it's switched to simulated time once
-    its nodes spin. If that isn't possible, it's watched on the wall clock from then on. `keep_watching` extends the
-    watch of a program that was observed on the wall clock.
+    its nodes are spinning. If that isn't possible, it's watched on the wall clock from then on. `keep_watching` extends
+    the watch of a program that was observed on the wall clock.
     """
 
     def __init__(
@@ -53,9 +53,9 @@ class Watch:
         self._matched_wall: float | None = None
 
     def observe(self, cancel_soak: Callable[[], bool] = lambda: False) -> Recording:
-        """Watch the program as planned and return the recording. Don't end the program.
+        """Watch the program as planned, and return the recording. The program keeps running.
 
-        On the wall clock, `cancel_soak` is called repeatedly. If it returns True, the watch ends early.
+        On the wall clock, `cancel_soak` is called repeatedly, and if it returns True, the watch ends early.
         """
         if wait_for_first_sign(self._session):
             until = time.monotonic() + ANSWERS_WITHIN_S
@@ -76,9 +76,9 @@ class Watch:
         return self._with_what_is_kept(self.recording())
 
     def _with_what_is_kept(self, recording: Recording) -> Recording:
-        """Add the number of messages that a late subscription receives to the recording.
+        """Return the recording with the number of messages that a late subscription receives from each topic.
 
-        This takes a moment, so it happens after the watch.
+        Counting them takes a moment, so call this after the watch.
         """
         kept = self._recorder.kept_until_now() if self._process.is_running() else {}
         late = {name: replace(recording.topic(name), kept=count) for name, count in kept.items()}
@@ -118,7 +118,7 @@ class Watch:
     def keep_watching(
         self, wall_s_after_match: float, cancel_soak: Callable[[], bool] = lambda: False
     ) -> bool:
-        """Keep a program on the wall clock running until `wall_s_after_match` (s) after it was matched.
+        """Keep a program on the wall clock running until `wall_s_after_match` (s) after its topics were matched.
 
         Return True after that time or as soon as the program ends by itself, and False if `cancel_soak` returns True.
         """
@@ -183,10 +183,10 @@ class Watch:
     def finish(
         self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
     ) -> Recording:
-        """End the program with SIGINT, and return `recording` with how it ended.
+        """End the program with SIGINT, and add to `recording` how it ended.
 
         After `patience_s` (s), the program is killed. With `look_who_stays`, the graph is watched afterward, because a
-        program that ends properly takes its nodes off the graph.
+        program that ends properly removes its nodes from the graph.
         """
         self._end_process(patience_s)
         if not look_who_stays:

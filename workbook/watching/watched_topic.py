@@ -16,12 +16,13 @@ NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 LARGEST_MESSAGE_BYTES = 4_000_000
 SHOWN_BYTES = 1_000
 MOST_NOTED = 2_000
-"""At most this many messages that aren't kept are counted, with their arrival times."""
+"""The most messages, of each kind that isn't kept, whose arrival times are recorded."""
 LARGE_MESSAGE_BYTES = 16_000
-"""Larger messages are decoded right away, so that only their kept part uses memory."""
+"""Messages larger than this many bytes are decoded right away, so that only their kept part uses memory."""
 LARGE_COSTS = 1 / 50
-"""The share of a large message's size that counts toward its topic's quota, in addition to the kept part, because
-decoding takes time.
+"""The share of a large message's size that counts toward its topic's quota, because decoding takes time.
+
+The size of the kept part counts, too.
 """
 AWAITED_COSTS = 1 / 1000
 """The same share if an exercise declares features of the topic's large fields. Ten seconds of camera images (640 by 480
@@ -29,7 +30,11 @@ pixels, 30 Hz) then take half of the usual quota."""
 
 
 class RawArrival(NamedTuple):
-    """A message's arrival in simulated and wall time (s), when it was sent (wall time, s), and bytes or large value."""
+    """A message with its arrival times.
+
+    `t`: when it arrived (simulated time, s). `wall` and `sent`: when it arrived and was sent (wall time, s). `raw`: its
+    bytes. `value`: a large message's plain data, instead of its bytes.
+    """
 
     t: float
     wall: float
@@ -40,7 +45,7 @@ class RawArrival(NamedTuple):
 
 @dataclass
 class WatchedTopic:
-    """A topic during its recording."""
+    """The state of a topic while it's being recorded."""
 
     name: str
     quota: MessageQuota
@@ -59,7 +64,10 @@ class WatchedTopic:
     looks: int = 0
 
     def keep(self, t: float, wall: float, sent: float, raw: bytes) -> None:
-        """Keep a message or, if it's broken or doesn't fit the quota, only its arrival time `t` (simulated time, s)."""
+        """Keep a message.
+
+        If it's broken, too large, or exceeds the quota, keep only its arrival time `t` (simulated time, s).
+        """
         if len(raw) > LARGEST_MESSAGE_BYTES:
             self._note(self.too_large, t)
         elif len(raw) <= LARGE_MESSAGE_BYTES:
@@ -73,7 +81,10 @@ class WatchedTopic:
                 self.came.append(RawArrival(t, wall, sent, b"", value))
 
     def _has_room(self, size: int, t: float, messages: int = 1) -> bool:
-        """Take `size` from the quota, and return whether it fits. If not, no later message is kept, however small."""
+        """Take `size` bytes from the quota, and return whether they fit.
+
+        If not, no later message is kept, however small.
+        """
         if self.quota.take(size, messages):
             return True
         self._note(self.without_room, t)
@@ -135,7 +146,7 @@ def lifespan_of(info: Any) -> float | None:
 
 
 def finished(watched: WatchedTopic, end: float) -> TopicRecording:
-    """Decode a topic's messages from the start to simulated time `end` (s)."""
+    """Decode a topic's messages up to simulated time `end` (s), and return the topic's recording."""
     arrivals: list[Arrival] = []
     undecodable = [t for t in watched.undecodable if t <= end]
     too_large = [t for t in watched.too_large if t <= end]
