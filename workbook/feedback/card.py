@@ -1,4 +1,7 @@
-"""Show feedback as a card in a notebook, readable in light and dark themes, without styles, and if untrusted."""
+"""Show feedback as a card in a notebook.
+
+The card is readable in light and dark themes, without styles, and in untrusted notebooks.
+"""
 
 import base64
 from dataclasses import dataclass
@@ -36,7 +39,7 @@ class Extras:
 
 
 def _state_of(judgement: Judgement, is_on_screen: bool) -> str:
-    """Return the criterion state that determines the whole card's color."""
+    """Return the criterion state whose color the whole card gets."""
     if judgement.provisional or not is_on_screen:
         return "partial"
     if wording.all_shown_hold(judgement):
@@ -53,7 +56,7 @@ def _headline(judgement: Judgement, extras: Extras) -> str:
 
 
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
-    """Return the card as HTML. The program's text is escaped, and a word stands next to each color (see `colors`)."""
+    """Return the card as HTML. The program's text is escaped, and words repeat the colors' meaning (see `colors`)."""
     extras = extras or Extras()
     holds = wording.all_shown_hold(judgement) and extras.is_on_screen
     score, most = wording.shown_points(judgement)

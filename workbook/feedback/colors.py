@@ -1,18 +1,19 @@
 """Define the colors of feedback: a palette for shapes, with a darker and a lighter variant of each color for text.
 
-No color has a contrast of 4.5:1 both on white and on a dark theme's background. So text is colored by CSS variables,
-`TEXT`. A card sets them if JupyterLab or VS Code names the theme; a page sets them for the browser's theme. If they
-aren't set, `var()` falls back on the theme's own text color. A sign or word always repeats the color's meaning.
+No color has a contrast of 4.5:1 both on white and on a dark theme's background. So the color of text comes from CSS
+variables (see `TEXT`). A card sets them if JupyterLab or VS Code reports its theme; a page sets them for the browser's
+theme. If they aren't set, `var()` falls back on the theme's own text color. A sign or word always repeats the color's
+meaning.
 """
 
 COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
-"""For shapes, by criterion state."""
+"""The colors of shapes, by criterion state."""
 ON_LIGHT = {"passed": "#17652c", "failed": "#ae2020", "partial": "#804d00", "skipped": "#565656"}
-"""For text on a light background, tinted or not."""
+"""The colors of text on a light background, tinted or not."""
 ON_DARK = {"passed": "#5fc97c", "failed": "#ff9a95", "partial": "#e5a545", "skipped": "#b4b4b4"}
-"""For text on a dark background, tinted or not."""
+"""The colors of text on a dark background, tinted or not."""
 TEXT = {state: f"var(--workbook-{state})" for state in COLORS}
-"""The values for text styles: `color:var(--workbook-failed)`."""
+"""The values of the CSS property for text color, as in `color:var(--workbook-failed)`."""
 TINT_SHARE = 0.14
 
 

@@ -14,14 +14,14 @@ _PUNCTUATION = re.compile(f"[{re.escape(string.punctuation)}]")
 
 
 def plain(text: str) -> str:
-    """Return text on one line, with all punctuation as entities, so that it's literal in Markdown and in HTML."""
+    """Return text on one line, with punctuation as HTML entities, so that Markdown and HTML show it literally."""
     return _PUNCTUATION.sub(
         lambda found: f"&#{ord(found[0])};", _SPACE.sub(" ", without_commands(text)).strip()
     )
 
 
 def plain_markup(text: str) -> str:
-    """Return the same for a template, marked so that the template doesn't escape it again."""
+    """Return text as `plain` does, but marked so that a template doesn't escape it again."""
     return as_markup(plain(text))
 
 

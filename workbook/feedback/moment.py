@@ -11,7 +11,7 @@ from workbook.exercise.source import DEEPER
 from workbook.recording.recording import Recording
 
 POSES = 5
-"""The number of recorded poses that the robot goes through: three seconds of film."""
+"""The largest number of recorded poses that the robot moves through, in a film of three seconds."""
 POSE_S = 0.6
 FRAMES_PER_S = 10
 WAVE_S = 2.7
@@ -33,7 +33,7 @@ class Film:
 
 @dataclass(frozen=True)
 class Moment:
-    """The additions to a card with full marks. `film` is added once it's drawn.
+    """The additions to a card with full marks. `film` is None until it has been drawn.
 
     `replays`: the front end animates the robot from the recording, which needs more room than the image alone.
     """
@@ -72,7 +72,7 @@ def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
 
 
 def still_of(recording: Recording) -> Film:
-    """Draw only the last frame of the film."""
+    """Return a film of which only the last frame is drawn, for a front end that animates the robot itself."""
     from workbook.pictures import humanoid
     from workbook.pictures.joints import waving
 
@@ -87,9 +87,9 @@ def still_of(recording: Recording) -> Film:
 
 
 def film_of(recording: Recording) -> Film:
-    """Return a film of the robot moving through the poses that the program sent.
+    """Return a film of the robot moving through the first poses that the program sent.
 
-    If there were none, the robot waves.
+    If the program sent no poses, the robot waves.
     """
     # Importing Matplotlib takes half a second: too long for grading, which draws nothing.
     from workbook.pictures import humanoid
@@ -118,7 +118,7 @@ def film_of(recording: Recording) -> Film:
 
 
 def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | None]]:
-    """Yield twelve angles and the lamp for each message with a pose of the robot."""
+    """Yield a pose's twelve angles and the lamp's state at that time, for each message with a pose."""
     from workbook.pictures.joints import checked
 
     for topic in recording.with_publishers():

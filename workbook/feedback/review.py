@@ -20,7 +20,7 @@ corrected lines of it. Instead:
 
 
 def review_prompt(source: ExerciseSource, answer_text: str, judgement: Judgement) -> str:
-    """Return a text to paste. Before full marks, it asks for help that doesn't give the answer away.
+    """Return the prompt, ready to paste. Before full marks, it asks for help that doesn't give the answer away.
 
     It includes the observations and expectations, but not the likely cause, which the student should find.
     """

@@ -46,7 +46,7 @@ def _criterion(result: CriterionResult, color: bool, in_full: bool, width: int) 
 
 
 def _program_lines(lines: Sequence[str], width: int) -> list[str]:
-    """Return a program's printed lines without the path of its folder. Long lines are split."""
+    """Return a program's output lines, without the path of its folder. Long lines are split."""
     room = max(20, width - 4)
     short = [_SCRATCH.sub('"', without_commands(line)) for line in lines]
     return [f"    {line[at : at + room]}" for line in short for at in range(0, max(1, len(line)), room)]

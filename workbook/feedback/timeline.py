@@ -1,4 +1,4 @@
-"""Draw a card's figure: when messages were expected, and when they arrived."""
+"""Draw a card's figure, which shows when messages were expected and when they arrived."""
 
 from workbook.exercise.definition import Exercise
 from workbook.recording.recording import Recording

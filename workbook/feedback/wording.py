@@ -7,7 +7,7 @@ from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
 SHORTEST_WATCH_S = 0.5
-"""A shorter watch would be reported as 0 s."""
+"""A watch shorter than this (s) would be reported as 0 s."""
 ENDED_TOO_SOON = "The program ended before there was anything to watch."
 NOTHING_WATCHED = "There was nothing to watch."
 WORDS = {"passed": "passes", "failed": "not yet", "partial": "in part", "skipped": "not judged"}
@@ -19,14 +19,14 @@ def points(value: float) -> str:
 
 
 def earned(result: CriterionResult) -> str:
-    """Return a criterion's points, such as "1 of 2", or "needed" if it's worth none but has to pass first."""
+    """Return a criterion's points, such as "1 of 2", or "needed" if it's worth no points but has to pass first."""
     if not result.max_points:
         return "needed"
     return f"{points(result.points)} of {points(result.max_points)}"
 
 
 def visible(judgement: Judgement) -> list[CriterionResult]:
-    """Return the criteria whose text a student may read. One worth no points is shown only if it didn't pass."""
+    """Return the criteria whose text a student may read. Those worth no points are included unless they passed."""
     return [
         result
         for result in judgement.criteria
@@ -71,7 +71,7 @@ def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
 
 
 def shown_points(judgement: Judgement) -> tuple[float, float]:
-    """Return the points earned and the maximum, without the hidden criteria, whose points would give them away."""
+    """Return the points earned and the maximum, excluding hidden criteria, which the points would give away."""
     shown = [result for result in judgement.criteria if not result.hidden]
     return round(sum(result.points for result in shown), 6), sum(result.max_points for result in shown)
 
@@ -93,13 +93,13 @@ def headline(judgement: Judgement) -> str:
 
 
 def printed(judgement: Judgement) -> str:
-    """Return the program's entire output."""
+    """Return the program's entire output; empty if there is no recording."""
     recording = judgement.recording
     return "" if recording is None else recording.process.log + recording.process.end_log
 
 
 def clock_line(judgement: Judgement) -> str:
-    """Return which clock the judgment used, and how long the watch took."""
+    """Return a line that says which clock the judgment used and how long the watch took."""
     recording = judgement.recording
     if recording is None:
         return ""
@@ -114,7 +114,7 @@ def clock_line(judgement: Judgement) -> str:
 
 
 def provisional_line(judgement: Judgement) -> str:
-    """Return why this judgment may still change; empty for a final one."""
+    """Return a line that says why this judgment may still change; empty for a final one."""
     if not judgement.provisional:
         return ""
     if judgement.inconclusive_reason:
@@ -126,7 +126,10 @@ def provisional_line(judgement: Judgement) -> str:
 
 
 def inconclusive_line(judgement: Judgement, *, is_graded: bool = False) -> str:
-    """Return why the judgment is inconclusive; empty for a conclusive one. `is_graded`: no other try follows."""
+    """Return a line that says why the judgment is inconclusive; empty for a conclusive one.
+
+    `is_graded`: whether the judgment belongs to a gradebook, so that no other try follows.
+    """
     if not judgement.inconclusive_reason or judgement.provisional:
         return ""
     then = "." if is_graded else "; another try decides."

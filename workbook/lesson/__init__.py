@@ -1,7 +1,7 @@
-"""Provide the functions that lesson cells import: predictions, programs, live views, and figures of recordings.
+"""Provide the functions that lesson cells import: for predictions, programs, live views, and figures of recordings.
 
-Lessons import from the package itself (`from workbook.lesson import run`). The layers above import the modules that
-lessons and exercises share: `startup` and `progress`. Each name is imported on first use.
+Lessons import from the package itself (`from workbook.lesson import run`). Other packages import the modules that
+lessons and exercises share, such as `startup` and `progress`. Each name is imported on first use.
 """
 
 from importlib import import_module

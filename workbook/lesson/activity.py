@@ -17,32 +17,33 @@ runs are faster.
 AT_ONCE_S = 0.5
 """Cells sent within this time of each other were sent together, even on a slow machine."""
 BY_ITSELF_S = 0.2
-"""In a Run All, some editors send the next cell within this time after the previous one's end. A person is slower."""
+"""In a Run All, some editors send each cell within this time after the previous cell has ended. A person is slower."""
 
 
 class StudyPace:
-    """Tell cells that a person runs one by one from the cells of a Run All.
+    """Distinguishes cells that a person runs one by one from the cells of a Run All.
 
-    A cell counts as read if it was sent at least `AT_LEAST_S` after the previous cell, and not in the instant after
-    that cell ended. JupyterLab sends all cells of a Run All together; VS Code sends each when the last one has ended.
-    The first cell of a Run All looks as if a person ran it, so it's taken back if the next one comes too soon.
+    A cell counts as read if it was sent at least `AT_LEAST_S` after the previous cell, and not within `BY_ITSELF_S`
+    after that cell ended. JupyterLab sends all cells of a Run All together; VS Code sends each cell when the previous
+    one has ended. The first cell of a Run All looks as if a person ran it. So it no longer counts as read if the next
+    cell follows too soon.
     """
 
     def __init__(self) -> None:
         self.counted: str | None = None
-        """The last cell, if its last run made it count as read."""
+        """The last cell's ID, if its last run made it count as read; else None."""
         self._sent: float | None = None
         self._ended = 0.0
 
     def takes_back(self, sent: float) -> str | None:
-        """Return the last cell if it counted as read, but the next cell, sent at `sent`, came too soon; else None."""
+        """Return the last cell's ID if it counted as read but the cell sent at `sent` followed too soon; else None."""
         if self._sent is None:
             return None
         too_soon = sent - self._sent < AT_ONCE_S or 0 <= sent - self._ended < BY_ITSELF_S
         return self.counted if too_soon else None
 
     def step(self, sent: float) -> bool:
-        """Return whether the cell sent at `sent`, which has just ended, was run alone."""
+        """Return whether a person ran this cell by itself. Call it when the cell, sent at `sent`, has ended."""
         alone = self._sent is None or (
             sent - self._sent >= AT_LEAST_S and not 0 <= sent - self._ended < BY_ITSELF_S
         )
@@ -54,10 +55,10 @@ _pace = StudyPace()
 
 
 def lesson_stem() -> str | None:
-    """Return the lesson that this kernel belongs to, as far as Jupyter reports it.
+    """Return the stem of the lesson that this kernel belongs to, as reported by Jupyter.
 
-    The result is None for exercises and other notebooks. While notebooks are built or compared, there is no name, so
-    nothing is noted.
+    The result is None for exercises and other notebooks. It's also None while notebooks are built or compared, so
+    nothing is recorded then.
     """
     path = Path(os.environ.get("JPY_SESSION_NAME", ""))
     if path.suffix != ".ipynb" or path.parent.name != "notebooks" or not STEM.fullmatch(path.stem):
@@ -66,7 +67,7 @@ def lesson_stem() -> str | None:
 
 
 def _sent_at() -> float:
-    """Return when the front end sent the running cell (s since 1970). If that's unknown, return the current time."""
+    """Return when the front end sent the running cell (Unix timestamp, s); the current time if that's unknown."""
     from IPython.core.getipython import get_ipython
 
     parent: object = getattr(get_ipython(), "get_parent", dict)()
@@ -75,7 +76,7 @@ def _sent_at() -> float:
 
 
 def note_prediction(about: str, choice: str) -> None:
-    """Save the option chosen for the experiment `about`. Outside of lessons, do nothing."""
+    """Save the choice for a prediction, or for the experiment `about`. Outside of lessons, do nothing."""
     stem = lesson_stem()
     if stem is None:
         return
@@ -87,7 +88,7 @@ def note_prediction(about: str, choice: str) -> None:
 
 
 def note_outcome_seen(name: str) -> None:
-    """Save that a prediction's outcome was shown. From now on, the choice can't be changed."""
+    """Record that a prediction's outcome was shown. From now on, the choice can't be changed."""
     stem = lesson_stem()
     if stem is None:
         return
@@ -100,7 +101,7 @@ def note_outcome_seen(name: str) -> None:
 
 
 def kept_choice(name: str) -> tuple[str | None, bool]:
-    """Return the option chosen for a prediction, in this kernel or earlier, and whether its outcome was shown."""
+    """Return the saved choice for a prediction (None if there is none), and whether its outcome was shown."""
     stem = lesson_stem()
     if stem is None:
         return None, False
@@ -109,9 +110,10 @@ def kept_choice(name: str) -> tuple[str | None, bool]:
 
 
 def note_cell(result: Any, sent: float | None = None) -> None:
-    """Save that a cell has run. IPython calls this function with the result after each cell.
+    """Record that a cell has run. IPython calls this function with the result after each cell.
 
-    `sent`: when the front end sent the cell (s since 1970). It defaults to the date in Jupyter's message.
+    `sent`: when the front end sent the cell, as a Unix timestamp in seconds. It defaults to the date in Jupyter's
+    message.
     """
     stem = lesson_stem()
     cell = getattr(getattr(result, "info", None), "cell_id", None)

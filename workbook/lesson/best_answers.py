@@ -1,4 +1,4 @@
-"""Keep each answer's best version as a file, and its points in the saved progress."""
+"""Save the best version of each answer as a file, and its points in the student's progress."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -13,16 +13,16 @@ BEST = ".best"
 
 
 class NothingJudged(LookupError):
-    """No version has earned points yet, so there is no best one."""
+    """Raised if no version has earned points yet, so that there is no best version."""
 
 
 def best_file(stem: str, folder: Path | None = None) -> Path:
-    """Return the path of the best judged version, whether or not it exists."""
+    """Return the path for an answer's best version, whether or not the file exists."""
     return (folder or answers_folder()) / BEST / f"{stem}.py"
 
 
 def best_text(stem: str, folder: Path | None = None) -> str | None:
-    """Return the text of the best judged version; None before the first point."""
+    """Return the text of the best version; None if no version has earned points yet."""
     try:
         return best_file(stem, folder).read_text(encoding="utf-8")
     except OSError:
@@ -32,7 +32,7 @@ def best_text(stem: str, folder: Path | None = None) -> str | None:
 def hands_in_another(stem: str, folder: Path | None = None) -> bool:
     """Return whether the file to hand in differs from the best version.
 
-    Among equally good versions, the last one counts as the best.
+    Among versions with equal points, the latest one counts as the best.
     """
     best = best_text(stem, folder)
     if best is None:
@@ -53,7 +53,10 @@ def restore_best(stem: str, folder: Path | None = None) -> Saved:
 
 
 class Check:
-    """One check of an answer. It counts as one try, its last judgment counts, and it never lowers earlier points."""
+    """A check of an answer, which counts as one try, however often the answer is judged.
+
+    The last judgment counts, but it can't lower the points that the student already has.
+    """
 
     def __init__(self, stem: str, text: str) -> None:
         self._stem = stem

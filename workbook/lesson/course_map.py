@@ -1,4 +1,4 @@
-"""Map the course: which lessons are read, predicted, and solved, and where to continue.
+"""Compute the course map: lessons read, predictions made, exercises solved, and where to continue.
 
 `%progress`, `workbook progress`, and the home page show the results.
 """
@@ -27,7 +27,7 @@ _ASKS = re.compile(r"^predict\(\s*[\"']([^\"']+)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class CellToGoOnAt:
-    """A cell where the student can continue: its notebook (path below the student's folder), ID, and heading."""
+    """A cell where the student can continue: its notebook (relative to the student's folder), ID, and heading."""
 
     notebook: str
     cell: str
@@ -56,7 +56,11 @@ class LessonText:
 
 @dataclass(frozen=True)
 class ExerciseState:
-    """An exercise's title, points (best, maximum), judged tries, and whether the file to hand in isn't the best one."""
+    """The state of an exercise.
+
+    `points`: earned and maximum. `tries`: how many were judged. `hands_in_another`: whether the file to hand in isn't
+    the best version.
+    """
 
     title: str
     points: tuple[float, float]
@@ -67,10 +71,11 @@ class ExerciseState:
 
 @dataclass(frozen=True)
 class LessonState:
-    """The state of one lesson. `cells` and `predictions`: done and total. `exercise` is None if there is none.
+    """The state of one lesson.
 
+    `cells` and `predictions`: how many are done, and how many there are. `exercise`: None if the lesson has none.
     `place`: where to continue reading; None if every cell was read. `missing`: the first unread cell under each
-    heading. `touched`: when the student last worked on the lesson (s since 1970).
+    heading. `touched`: when the student last worked on the lesson, as a Unix timestamp in seconds.
     """
 
     stem: str
@@ -86,17 +91,17 @@ class LessonState:
 
     @property
     def is_optional(self) -> bool:
-        """Whether this lesson is a deeper one, which is optional."""
+        """Whether this lesson is optional, as all deeper lessons are."""
         return self.stem.endswith(DEEPER)
 
     @property
     def is_read(self) -> bool:
-        """Whether nine in ten of the lesson's code cells were run one by one."""
+        """Whether enough of the lesson's code cells were read (see `READ_SHARE`)."""
         return self.cells_to_go == 0
 
     @property
     def cells_to_go(self) -> int:
-        """The number of cells still to be read until the lesson counts as read."""
+        """How many more cells have to be read until the lesson counts as read."""
         done, of = self.cells
         return max(0, math.ceil(READ_SHARE * of) - done)
 
@@ -107,18 +112,18 @@ class LessonState:
 
     @property
     def lesson_path(self) -> str:
-        """The lesson's notebook, as a path below the student's folder."""
+        """The path of the lesson's notebook, relative to the student's folder."""
         return f"notebooks/{self.stem}.ipynb"
 
     @property
     def exercise_path(self) -> str:
-        """The exercise's notebook, as a path below the student's folder."""
+        """The path of the exercise's notebook, relative to the student's folder."""
         return f"exercises/{self.stem}.ipynb"
 
 
 @dataclass(frozen=True)
 class CourseMap:
-    """A student's state in all lessons."""
+    """A student's progress in all lessons."""
 
     lessons: tuple[LessonState, ...]
 
@@ -129,16 +134,17 @@ class CourseMap:
 
     @property
     def next_lesson(self) -> LessonState | None:
-        """The unfinished lesson that the student worked on last, else the first unfinished one; None if all are done.
+        """The lesson to work on next; None if all are done.
 
-        Optional lessons are never next.
+        It's the unfinished lesson that the student worked on last, or else the first unfinished one. Optional lessons
+        are never next.
         """
         unfinished = [one for one in self.lessons if not one.is_done and not one.is_optional]
         return max(unfinished, key=lambda one: one.touched, default=None)
 
     @property
     def next_step(self) -> str:
-        """The next step, as a sentence."""
+        """A sentence that suggests the next step."""
         lesson = self.next_lesson
         if lesson is None:
             return "You've completed the whole course. Well done!"
@@ -156,7 +162,10 @@ class CourseMap:
 
     @property
     def sums(self) -> dict[str, tuple[float, float]]:
-        """Done and total: lessons read, predictions made, exercises solved, points. Optional lessons don't count."""
+        """The number done and the total for each kind: lessons read, predictions made, exercises solved, and points.
+
+        Optional lessons and their predictions don't count.
+        """
         of = self.exercises
         lessons = [one for one in self.lessons if not one.is_optional]
         return {
@@ -177,7 +186,7 @@ class CourseMap:
 
     @property
     def not_best(self) -> list[LessonState]:
-        """Lessons whose file to hand in isn't the best version."""
+        """The lessons whose file to hand in isn't the answer's best version."""
         return [one for one in self.lessons if one.exercise is not None and one.exercise.hands_in_another]
 
 
@@ -190,7 +199,7 @@ def course_map(
 
     `course`, `done`, and `answers` default to the installed course and the saved progress.
 
-    Raise NoCourse, BrokenCriteria, or, if a lesson can't be read, OSError.
+    Raise NoCourse or BrokenCriteria, or OSError if a lesson can't be read.
     """
     folder = course_folder() if course is None else course
     kept = all_progress(answers) if done is None else done
@@ -209,7 +218,7 @@ def course_map(
 
 
 def _state(lesson: LessonText, progress: LessonProgress, exercise: ExerciseState | None) -> LessonState:
-    """Return a lesson's state. The cell of a prediction that was made counts as read, no matter how it was run."""
+    """Return a lesson's state. A prediction's cell counts as read once the prediction is made, however it was run."""
     read = {one.id for one in lesson.cells if one.id in progress.read or one.asks in progress.predictions}
     asked = sum(bool(one.asks) for one in lesson.cells)
     left = [one for one in lesson.cells if one.id not in read]
@@ -232,7 +241,7 @@ def _state(lesson: LessonText, progress: LessonProgress, exercise: ExerciseState
 
 
 def _after_the_last(cells: tuple[CodeCell, ...], read: set[str]) -> tuple[CodeCell, ...]:
-    """Return the cells after the last one read, so that a student who skips an experiment continues after it."""
+    """Return the cells after the last one read, where a student who skipped an experiment continues."""
     last = max((place for place, one in enumerate(cells) if one.id in read), default=-1)
     return cells[last + 1 :]
 

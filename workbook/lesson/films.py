@@ -1,4 +1,4 @@
-"""Play films of camera images, alone or next to the robot's head. They're saved with the notebook."""
+"""Show films of camera images, alone or next to a drawing of the robot's head. The notebook stores the films."""
 
 import base64
 import io
@@ -14,14 +14,14 @@ from workbook.scenes.scene import BALL_RADIUS_M, DESK_M
 from workbook.templating import render
 
 HEIGHT = 240
-"""Height on the page, in pixels. Camera images are scaled to it."""
+"""The height on the page, in pixels, to which camera images are scaled."""
 
 
 def with_head(picture: Pixels, neck: float, ball: tuple[float, float] | None, camera: Pinhole) -> bytes:
-    """Draw the head camera's RGB image with its center line, next to the head from above. Return PNG bytes.
+    """Draw the head camera's RGB image with its center line, next to a view of the head from above. Return PNG bytes.
 
-    `neck`: the head's angle to the left (rad). `ball`: its column and row in pixels of the `camera`, which may be
-    larger than the image; None without a ball.
+    `neck`: the head's angle to the left (rad). `ball`: the ball's column and row, in pixels of the `camera`, whose
+    resolution may be higher than the image's; None if there's no ball.
     """
     marked = picture.copy()
     marked[:, marked.shape[1] // 2] = 255
@@ -35,12 +35,15 @@ def with_head(picture: Pixels, neck: float, ball: tuple[float, float] | None, ca
 
 
 def alone(picture: Pixels) -> bytes:
-    """Convert an RGB camera image to PNG bytes."""
+    """Convert an RGB camera image to PNG bytes, scaled to `HEIGHT`."""
     return _png(_of_height(Image.fromarray(picture)))
 
 
 def show_film(pictures: Sequence[bytes], description: str, per_second: float = 10.0) -> None:
-    """Show PNG images one after another in the cell, with alternative text. Keep numbers out of that text."""
+    """Show PNG images as a film in the cell, with `per_second` images per second.
+
+    `description` is the alternative text. Keep measured numbers out of it, because they vary from run to run.
+    """
     from IPython.display import display
 
     moving = film(pictures, per_second=per_second, exact=False)

@@ -33,7 +33,10 @@ def asked() -> dict[str, Any] | None:
 
 
 def show_prediction(name: str, choice: str | None, words: str, outcome: str | None) -> None:
-    """Have the buttons show the choice, a line of text, and the outcome's letter if the reader has seen it."""
+    """Send a prediction's state to its buttons: the choice, a line of text, and the outcome's letter.
+
+    `outcome`: None until the reader has seen the outcome.
+    """
     payloads = getattr(get_ipython(), "payload_manager", None)
     if payloads is not None and told():
         state = {"name": name, "choice": choice, "words": words, "outcome": outcome}

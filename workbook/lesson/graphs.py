@@ -6,7 +6,10 @@ from workbook.ros.tools import graph
 
 
 def graph_picture(*highlight: str) -> Still:
-    """Draw the nodes and topics on this notebook's domain; names in `highlight` get a bold frame."""
+    """Draw the ROS graph on this notebook's domain: its nodes, its topics, and who publishes or subscribes to which.
+
+    `highlight`: the names of nodes or topics to draw with a bold frame.
+    """
     seen = graph()
     arrows = [
         (edge.node, edge.topic) if edge.role == "publishes" else (edge.topic, edge.node)

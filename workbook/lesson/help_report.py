@@ -1,6 +1,6 @@
 """Write and read reports for a remote helper: an answer, its last recording, and the doctor's findings.
 
-A report is a JSON file, so a student can read it before sending it. Reading treats it as untrusted input.
+A report is a JSON file, so a student can read it before sending it. `read_report` treats it as untrusted input.
 """
 
 import getpass
@@ -19,10 +19,13 @@ from workbook.recording.codec import decode, encode
 from workbook.recording.recording import Recording
 
 LARGEST_BYTES = 20_000_000
-"""The largest file that is read. A recording usually takes some kilobytes; a camera's takes some megabytes."""
+"""The largest file, in bytes, that is read. A recording usually takes some kilobytes; a camera's takes some megabytes.
+"""
 _HOMES = re.compile(r"/(?:home|Users)/[^/\s\"'<>:;,()]+")
 _PROGRAMS_WORDS = ("process", "notes", "findings")
-"""Parts of a recording that contain text from the system. Messages are the student's answer, so they aren't changed."""
+"""The parts of a recording in which names are replaced, because they contain text from the system. Messages come from
+the student's answer, so they keep their names.
+"""
 
 
 @dataclass(frozen=True)
@@ -42,13 +45,13 @@ class HelpReport:
 
 
 class NoReport(ValueError):
-    """The file isn't a readable report. The message says why."""
+    """Raised if a file isn't a readable report. The message says why."""
 
 
 def help_report(
     exercise: str, answer: str, sha256: str, last: LastRecording | None, doctor: tuple[str, ...]
 ) -> str:
-    """Return the report as JSON, with home paths, user name, and host name replaced."""
+    """Return the report as JSON, with home paths, the user name, and the host name replaced."""
     report = HelpReport(
         "rclpy-workbook report",
         exercise,
@@ -101,7 +104,7 @@ def _user() -> str:
 
 
 def read_report(path: Path, exercises: Collection[str]) -> HelpReport:
-    """Read a report that a student sent. Raise NoReport if that fails."""
+    """Read a student's report. Raise NoReport if it can't be read, or if it isn't about one of the `exercises`."""
     try:
         if not path.is_file():
             raise NoReport(f"there is no file {path}")

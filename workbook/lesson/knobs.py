@@ -18,7 +18,7 @@ LOOK_EVERY_S = 0.05
 
 
 class Knob:
-    """A slider and its current number. Without widgets, the number stays as typed in the cell."""
+    """A slider and its current number. If widgets are missing, the number stays as given in the cell."""
 
     def __init__(self, name: str, value: Number, between: tuple[Number, Number]) -> None:
         low, high = between
@@ -31,7 +31,7 @@ class Knob:
         self._slider: Any = None
 
     def show(self) -> None:
-        """Show the slider, or a sentence where widgets are missing."""
+        """Show the slider or, if widgets are missing, a sentence that says how to change the number."""
         low, high = self.between
         words = (
             f"Slider: {self.name} from {low} to {high}. Or change the number in the cell and run it again."
@@ -68,7 +68,7 @@ class Knob:
         self.turned_at = time.monotonic()
 
     def end(self) -> None:
-        """Disconnect the slider. Running its cell again creates a new one."""
+        """Disable the slider. Running its cell again creates a new one."""
         if self._slider is not None:
             self._slider.disabled = True
             self._slider.description = f"{self.name} (ended: run the cell again)"
@@ -85,9 +85,10 @@ async def knob(
 ) -> None:
     """Run a program with a slider for its parameter `name`, and show the robot at the same time.
 
-    The parameter starts at `value`. Each move of the slider restarts the program with the new number, and the cell
-    continues for `seconds` s after that. Other `parameters` stay the same. If all numbers are ints, the slider moves in
-    whole steps. At the end, also after Stop, the program is ended. Raise ValueError if `value` is outside of `between`.
+    The parameter starts at `value`; `between` gives its lowest and highest value. If all three are ints, the slider
+    moves in whole steps. Each move restarts the program with the new value; the other `parameters` stay the same. The
+    cell ends `seconds` after the last move, or when you press Stop, and then it ends the program. Raise ValueError if
+    `value` is outside of `between`.
     """
     turned = Knob(name, value, between)
     start(program, **{name: value}, **parameters)
@@ -127,10 +128,11 @@ async def slide(
     describe: str,
     seconds: float = 8.0,
 ) -> None:
-    """Show a slider and the PNG that `draw` makes from its number, and redraw it after each move.
+    """Show a slider and a figure, and redraw the figure after each move of the slider.
 
-    The cell continues for `seconds` s after the last move. `describe` is the figure's alternative text. Raise
-    ValueError if `value` is outside of `between`.
+    The number `name` starts at `value`; `between` gives its lowest and highest value. `draw` returns the figure for a
+    number, as PNG bytes, and `describe` is the figure's alternative text. The cell ends `seconds` after the last move.
+    Raise ValueError if `value` is outside of `between`.
     """
     turned = Knob(name, value, between)
     turned.show()

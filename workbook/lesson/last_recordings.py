@@ -1,4 +1,4 @@
-"""Keep the last recording of each exercise next to the answers, for a report to a remote helper."""
+"""Save the last recording of each exercise next to the answers, for a report to a remote helper."""
 
 import json
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ KEPT_IN = ".recordings"
 
 @dataclass(frozen=True)
 class LastRecording:
-    """A recording, and the SHA-256 of the answer that ran."""
+    """A recording, and the SHA-256 hash of the answer that was recorded."""
 
     answer_sha256: str
     recording: Recording
 
 
 def keep_recording(judgement: Judgement, folder: Path | None = None) -> None:
-    """Replace the previous check's recording with the new one. If the disk is full, only the recording is lost."""
+    """Replace an exercise's saved recording with this check's. If the disk is full, only the recording is lost."""
     if judgement.recording is None:
         return
     path = _file(judgement.stem, folder)

@@ -20,7 +20,7 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.watching.observer import Observer
 
 STARTS_WITHIN_S = 30.0
-"""On a busy machine, a program may take this long until it spins."""
+"""How long (s) a program may take to start spinning on a busy machine."""
 POLL_S = 0.02
 
 
@@ -33,7 +33,11 @@ class Seen:
 
 @contextmanager
 def watch_machine(*nodes: Node) -> Iterator[Seen]:
-    """While the block runs, record what happens between DDS and the callbacks of these nodes of the notebook."""
+    """Record how messages and timer ticks of these nodes reach their callbacks while the `with` block runs.
+
+    The nodes belong to this notebook. After `with watch_machine(node) as seen:`, `show_machine(seen, ...)` plays the
+    recording.
+    """
     seen = Seen()
     with MachineTap(nodes) as tap:
         yield seen
@@ -41,11 +45,11 @@ def watch_machine(*nodes: Node) -> Iterator[Seen]:
 
 
 def record_machine(program: Program, seconds: float = 3.0, **parameters: object) -> MachineRecording:
-    """Run a program from `lesson_nodes` in its own process, and record its node.
+    """Run a program in its own process, and record how messages and timer ticks reach its node's callbacks.
 
-    The recording begins at the node's first spin and lasts `seconds`. `parameters` are ROS parameters. The node must
-    have the file's name, and the program needs a `main()`. Raise RuntimeError with the program's log if it ended early
-    or never spun.
+    The recording begins when the node first spins, and lasts `seconds`. `parameters` are ROS parameters. `program` is a
+    module or file of `lesson_nodes`. It needs a `main()`, and its node needs the file's name. Raise RuntimeError with
+    the program's log if it ended early or never spun.
     """
     file = program_file(program)
     folder = scratch_folder("machine")
@@ -70,7 +74,10 @@ def record_machine(program: Program, seconds: float = 3.0, **parameters: object)
 def show_machine(
     seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
 ) -> None:
-    """Play a recording back in the cell, from `begin` to `end` (s). Keep numbers out of the `description`."""
+    """Play a recording in the cell, from `begin` to `end` (s; None: to its end).
+
+    `description` is the alternative text. Keep measured numbers out of it, because they vary from run to run.
+    """
     from IPython.display import display
 
     display(film_of(seen, description, begin, end))
@@ -79,7 +86,7 @@ def show_machine(
 def film_of(
     seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
 ) -> MovingMachine:
-    """Return the film that `show_machine` shows."""
+    """Return the film that `show_machine` shows. Raise RuntimeError if the `watch_machine` block hasn't ended."""
     recording = seen.recording if isinstance(seen, Seen) else seen
     if recording is None:
         raise RuntimeError("the watch_machine block hasn't ended yet: show its recording after the block")

@@ -10,13 +10,13 @@ _TOLERANCE = 1e-6
 
 
 def about(value: float, unit: str = "", *, between: tuple[float, float], digits: int = 2) -> str:
-    """Format a measured number with the mark for numbers that vary: `about(23.1, "ms", between=(5, 60))` is `≈ 23 ms`.
+    """Format a number that varies from run to run, with "≈": `about(23.1, "ms", between=(5, 60))` is `≈ 23 ms`.
 
-    `digits` counts significant digits. Outside of the range, the text also says "unusual on this machine". When
-    notebooks are compared, marked numbers count as equal, but that remark doesn't.
+    `digits` is the number of significant digits. If the number is outside of the range `between`, the text adds
+    "unusual on this machine". When notebooks are compared, any two numbers with "≈" count as equal, but a text with
+    this remark doesn't equal one without it.
 
-    Raises:
-        ValueError: The range is empty.
+    Raise ValueError if the range is empty.
     """
     low, high = between
     if not low < high:
@@ -28,10 +28,11 @@ def about(value: float, unit: str = "", *, between: tuple[float, float], digits:
 
 
 def yours(got: Any, wanted: Any, hint: str = "") -> None:
-    """Print whether the reader's line gives the wanted result, or a reminder if it still contains `...`.
+    """Check the value that your line of code gives, and print the result.
 
-    Numbers, also in tuples and lists, may differ by rounding errors. An array counts as a list. `hint` is printed if
-    the result is wrong.
+    If `got` still contains `...`, print a reminder to replace it. Otherwise, print whether `got` equals `wanted` and,
+    if not, also the `hint`. Floats, also in tuples and lists, may differ by rounding errors. If `wanted` is a list,
+    `got` may also be an array.
     """
     if _is_blank(got):
         print(_REMINDER)

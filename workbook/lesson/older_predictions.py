@@ -1,4 +1,4 @@
-"""Handle predictions of lessons that aren't converted yet: free text, with the key in the cell that recalls them."""
+"""Support lessons in the older format, whose predictions are free text. The cell that recalls one contains the key."""
 
 from workbook.lesson.activity import note_prediction
 
@@ -7,7 +7,7 @@ _latest = ""
 
 
 def note_in_words(choice: str, about: str) -> None:
-    """Note an option's letter or a few words. `about` names the experiment."""
+    """Save a prediction: an option's letter or a few words. `about` names the experiment."""
     global _latest
     text = choice.strip()
     _latest = about
@@ -21,12 +21,15 @@ def note_in_words(choice: str, about: str) -> None:
 
 
 def predicted(about: str | None = None) -> str | None:
-    """Return the prediction for an experiment (the latest one if none is named); None if there is none."""
+    """Return the prediction for an experiment, by default the latest; None if there is none."""
     return _predictions.get(_latest if about is None else about)
 
 
 def recall(right: str, about: str | None = None) -> None:
-    """Show the prediction again next to the outcome: `recall("c", "two timers")`."""
+    """Print the prediction for an experiment, by default the latest, next to the outcome `right`.
+
+    For example: `recall("c", "two timers")`.
+    """
     name = _latest if about is None else about
     mine = _predictions.get(name)
     if mine is None:

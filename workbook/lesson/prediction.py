@@ -1,4 +1,4 @@
-"""Store a prediction as data: its options, why each option is right or wrong, and how a run decides between them."""
+"""Define predictions as data: the options, why each is right or wrong, and how a run decides between them."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Option:
-    """A possible outcome. `when` is a condition on the run's measurements, or empty."""
+    """A possible outcome. `why` explains it. `when` is a condition on the run's measurements; it may be empty."""
 
     letter: str
     text: str
@@ -24,7 +24,7 @@ class Prediction:
 
     @property
     def letters(self) -> str:
-        """The letters to choose from, as text: a, b or c."""
+        """The letters to choose from, as text, such as "a, b or c"."""
         *most, last = [option.letter for option in self.options]
         return f"{', '.join(most)} or {last}"
 
@@ -34,11 +34,11 @@ class Prediction:
         return first if any(option.letter == first for option in self.options) else None
 
     def option(self, letter: str) -> Option:
-        """Return the option with a letter."""
+        """Return the option with this letter."""
         return next(option for option in self.options if option.letter == letter)
 
     def decided_by(self, measured: Mapping[str, object]) -> str | None:
-        """Return the letter of this run's outcome; None if it fits no option, or more than one.
+        """Return the letter of this run's outcome; None if `measured` fits no option, or more than one.
 
         If no option has a condition, a run can't decide, so the usual outcome counts.
         """

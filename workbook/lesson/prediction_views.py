@@ -1,4 +1,4 @@
-"""Show a prediction: buttons to choose with and, after the run, each option with its explanation."""
+"""Show a prediction: at first, buttons for choosing; after the run, each option with its explanation."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
@@ -13,7 +13,7 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
 class Noted(NamedTuple):
-    """The result of a choice: the letter that counts now (or None), and a sentence for the student."""
+    """The result of a choice: the letter that counts now (None if there is none), and a sentence for the student."""
 
     letter: str | None
     words: str
@@ -23,7 +23,7 @@ Choose = Callable[[Prediction, str], Noted]
 
 
 def show_buttons(prediction: Prediction, question: str, chosen: str | None, choose: Choose) -> None:
-    """Show a button for each option. A front end without widgets shows the question as text."""
+    """Show a button for each option; a click calls `choose`. A front end without widgets shows the question as text."""
     try:
         widget = _buttons(prediction, question, chosen, choose)
         data = {WIDGET: widget._repr_mimebundle_()[WIDGET], "text/plain": question}
@@ -104,7 +104,7 @@ class PredictionOutcome:
         return f"You predicted {self.mine}. {said}" + (" Well done." if right else "")
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return one entry per option: its sign, text, reason, marks, and kind (happened, mine, other)."""
+        """Return a dictionary per option: sign, letter, text, reason, marks, and kind (happened, mine, or other)."""
         happened = self.happened or self.prediction.usual
         kinds = {self.mine: "mine", happened: "happened"}
         rows = []
@@ -155,12 +155,12 @@ class PredictionOutcome:
         display(self)
 
     def shown_at(self, place: Any) -> None:
-        """Show the outcome in place of `Waiting`."""
+        """Replace the placeholder (see `Waiting`) with the outcome. `place`: the placeholder's display handle."""
         place.update(self)
 
 
 def pieces(text: str) -> list[tuple[str, bool]]:
-    """Split Markdown text at backticks into pieces, each with whether it's code. Bold marks are removed."""
+    """Split Markdown text at backticks into pairs: a piece, and whether it's code. Bold marks are removed."""
     parts = text.split("`")
     return [
         (part if place % 2 else part.replace("**", ""), bool(place % 2))

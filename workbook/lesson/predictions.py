@@ -1,7 +1,7 @@
 """Ask for predictions before a run, and show afterward whether they were right.
 
-`predict("late-joiner")` asks, and `reveal("late-joiner", late=...)` after the run shows the outcome. Until then, a
-choice may be changed. A reader who hasn't chosen sees no outcome.
+`predict("late-joiner")` asks and, after the run, `reveal("late-joiner", late=...)` shows the outcome. Until then, the
+reader can change the choice. If the reader hasn't chosen, the outcome stays hidden.
 """
 
 import os
@@ -16,20 +16,25 @@ from workbook.lesson.prediction_views import Noted, PredictionOutcome, Waiting, 
 from workbook.lesson.sealed_predictions import all_predictions
 
 UNATTENDED = "WORKBOOK_UNATTENDED"
-"""Environment variable, set while lessons are built or compared. No reader chooses then, so each outcome is shown."""
+"""The environment variable that is set while lessons are built or compared. No reader can choose then, so all outcomes
+are shown.
+"""
 
 _known = cache(all_predictions)
 _chosen: dict[str, str] = {}
 _closed: dict[str, str | None] = {}
-"""Predictions whose outcome this kernel has shown: the outcome's letter, or None if it fit no option."""
+"""The outcomes that this kernel has shown: a letter by prediction, or None if the run fit no option."""
 _waiting: dict[str, tuple[dict[str, object], Any]] = {}
-"""Runs before the reader chose: their measurements, and the display handle that will show the outcome."""
+"""Runs that ended before the reader chose: by prediction, the measurements and the display handle of the placeholder
+that the outcome will replace.
+"""
 
 
 def predict(name: str, choice: str | None = None, about: str | None = None) -> None:
-    """Ask for a prediction, or note one: `predict("late-joiner", "b")`.
+    """Ask for a prediction, or save one: `predict("late-joiner", "b")`.
 
-    With `about`, note a choice in the student's own words. Lessons that aren't converted yet use this.
+    `name` is the prediction's name. Without `choice`, its options appear as buttons. In lessons of the older format,
+    `name` is the choice itself, in your own words, and `about` names the experiment.
     """
     if about is not None:
         note_in_words(name, about)
@@ -53,7 +58,11 @@ def predict(name: str, choice: str | None = None, about: str | None = None) -> N
 
 
 def reveal(name: str, **measured: object) -> None:
-    """Show the choice, the outcome, and the explanations. The options' conditions refer to `measured`."""
+    """Show your choice, the outcome, and an explanation of each option.
+
+    `measured`: the run's measurements, which decide the outcome. If you haven't chosen yet, everything appears once you
+    choose.
+    """
     prediction = _find(name)
     if prediction is None:
         return
@@ -69,7 +78,7 @@ def reveal(name: str, **measured: object) -> None:
 
 
 def choose(prediction: Prediction, choice: str) -> Noted:
-    """Note a choice, unless the outcome was already shown."""
+    """Save a choice, unless the outcome was already shown. Return the choice that counts, and a sentence about it."""
     name = prediction.name
     letter, before = prediction.letter_of(choice), _chosen_letter(prediction)
     if letter is None:
@@ -111,7 +120,7 @@ def _chosen_letter(prediction: Prediction) -> str | None:
 
 
 def _show_choice(prediction: Prediction, noted: Noted | None) -> None:
-    """Have the front end's buttons show the current choice."""
+    """Update the front end's buttons with the current choice and, if the reader has seen it, the outcome."""
     name = prediction.name
     letter = _chosen_letter(prediction) if noted is None else noted.letter
     words = "" if noted is None else noted.words

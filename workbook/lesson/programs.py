@@ -25,9 +25,11 @@ from workbook.watching.quiescence import Quiescence
 Program = ModuleType | Path | str
 POLL_S = 0.02
 AT_WORK_WITHIN_S = 30.0
-"""On a busy machine, a program may take this long to open its DDS ports."""
+"""How long (s) a program may take to open its DDS ports on a busy machine."""
 SETTLE_S = 1.0
-"""The delay after the ports are open. Imports and discovery are over by then, so only the work itself is measured."""
+"""How long (s) to wait after the ports are open. By then, imports and discovery are over, so only the work itself is
+measured.
+"""
 
 own_server.keep()  # a lesson runs many programs
 _started: dict[str, NodeProcess] = {}
@@ -35,7 +37,7 @@ _nodes: dict[str, list[str]] = {}
 
 
 def program_file(program: Program) -> Path:
-    """Return a program's file. A program is a module, such as `lesson_nodes.status_monitor`, or a path."""
+    """Return a program's file. `program` is a module, such as `lesson_nodes.status_monitor`, or a path."""
     if isinstance(program, ModuleType):
         if program.__file__ is None:
             raise ValueError(f"{program.__name__} has no file that could be run")
@@ -44,10 +46,11 @@ def program_file(program: Program) -> Path:
 
 
 def start(program: Program, **parameters: object) -> str:
-    """Start a program as its own process on this notebook's domain. An earlier run is ended first.
+    """Start a program in its own process on this notebook's domain. An earlier run of it is ended first.
 
-    `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Return its nodes' names once they're on the
-    graph and spinning. `stop` ends the program. Raise RuntimeError with the program's log if it ended right away.
+    `parameters` are ROS parameters for its nodes, such as `period_s=0.5`. Return the nodes' names, separated by commas,
+    once the program is spinning. `stop` ends the program. Raise RuntimeError with the program's log if it ends right
+    away.
     """
     file = program_file(program)
     _end(file.stem)
@@ -65,7 +68,10 @@ def start(program: Program, **parameters: object) -> str:
 
 
 def stop(program: Program | None = None) -> None:
-    """End a program started with `start`, or all of them, as Ctrl-C would. Return when their nodes left the graph."""
+    """End a program as Ctrl-C would; without `program`, end all programs that `start` started.
+
+    Return when the nodes have left the graph, or after a second per program.
+    """
     for name in [program_file(program).stem] if program is not None else list(_started):
         _end(name)
 
@@ -90,7 +96,7 @@ def _end(name: str) -> ProcessRecord | None:
 
 @atexit.register
 def _stop_all() -> None:
-    _nodes.clear()  # the notebook's own node, which sees the graph, is going as well
+    _nodes.clear()  # the notebook's own node, which queries the graph, is being destroyed as well
     stop()
 
 
@@ -101,10 +107,11 @@ def record(
     clock: Clock = "simulated",
     **parameters: object,
 ) -> Recording:
-    """Run a program on its own domain and record the topics in `periods` (topic name: expected period in s).
+    """Run a program on its own domain, and record its messages.
 
-    On the "simulated" clock, `seconds` of robot time pass as fast as the program can follow; on the "wall" clock they
-    really pass. `parameters` are ROS parameters for its nodes.
+    `periods`: the topics to record, each with its expected period in seconds. `parameters` are ROS parameters for the
+    program's nodes. `clock`: with "simulated", `seconds` are simulated time, which passes as fast as the program can
+    follow; with "wall", they're real time.
     """
     if clock not in ("simulated", "wall"):
         raise ValueError(f'clock is "simulated" or "wall", not {clock!r}')
@@ -125,10 +132,11 @@ def record(
 def processor_seconds(
     program: Program, seconds: float = 4.0, *, with_start: bool = True, **parameters: object
 ) -> float:
-    """Return the CPU time (s) that a program uses in its first `seconds` of real time on its own domain.
+    """Run a program on its own domain for `seconds` of real time, and return the CPU time (s) that it uses.
 
     Without `with_start`, measurement starts a second after the program has opened its DDS ports. The result then
-    includes the first thread's time in the run queue, because on a busy machine, it gets less CPU time than it needs.
+    includes the time that the program's first thread spends in the run queue. Without that time, the result would be
+    too low on a busy machine. Raise RuntimeError if the program ends early.
     """
     spec = ProgramSpec(program_file(program), parameters=parameters)
     with Observer() as observer:
@@ -154,12 +162,12 @@ def _wait_until_at_work(process: NodeProcess, domain_id: int) -> None:
 
 
 def arrivals(recording: Recording, topic: str) -> list[float]:
-    """Return the arrival times of the messages on `topic`, in s of robot time."""
+    """Return the arrival times of the messages on `topic`, in seconds on the recording's clock."""
     return [arrival.t for arrival in recording.topic(topic).arrivals]
 
 
 def values(recording: Recording, topic: str, field: str = "data") -> list[object]:
-    """Return one field's values from all messages on `topic`."""
+    """Return the value of `field` from each message on `topic`."""
     return [arrival.value[field] for arrival in recording.topic(topic).arrivals]
 
 
@@ -170,12 +178,13 @@ def run_program(
     interrupt_at: str | None = None,
     silence: float | None = None,
 ) -> ProcessRecord:
-    """Run a program with a time limit, and return how it ended. `program`: a module, a path, or code as text.
+    """Run a program on its own domain with a time limit, and return how it ended.
 
-    The program is ended after `seconds` at the latest, so it can't hang the notebook. With `silence`, it's ended once
-    it has printed nothing for that many seconds after its first output; startup doesn't count. With `interrupt_at`, it
-    gets Ctrl-C (SIGINT) once it has printed that text and is waiting. It runs on its own domain. If rclpy itself
-    disturbed the end (see `shutdown_overtaken` and `without_executors_end`), the program runs once more.
+    `program`: a module, a path, or code as text. `seconds`: the time limit, so that the program can't hang the
+    notebook. `arguments`: the program's command-line arguments. `interrupt_at`: once the program has printed this text
+    and is waiting, it gets Ctrl-C (SIGINT). `silence`: after its first output, the program is ended if it prints
+    nothing for this many seconds. If rclpy itself disturbed the end (see `shutdown_overtaken` and
+    `without_executors_end`), the program runs once more.
     """
     code = program if isinstance(program, str) else program_file(program).read_text(encoding="utf-8")
     ended = _run_once(code, seconds, arguments, interrupt_at, silence)

@@ -12,15 +12,16 @@ from typing import Any
 from workbook.exercise.answer_files import answers_folder
 
 TRIES_BEFORE_SOLUTION = 5
-"""Judged tries before the solution opens: enough to use the three hints and to think after each."""
+"""The number of judged tries that opens the solution: enough to use the three hints and to think after each."""
 
 
 @dataclass
 class LessonProgress:
-    """Progress in a lesson and its exercise. `cells`: IDs of code cells that were run. `predictions`: by experiment.
+    """A student's progress in a lesson and its exercise.
 
-    `read`: the cells that were run one by one, according to `activity`. `touched`: when something was last noted (s
-    since 1970). `outcomes_seen`: predictions that can no longer be changed. The other fields describe the exercise:
+    `cells`: the IDs of code cells that were run. `read`: those that were run one by one, according to `activity`.
+    `predictions`: the choices, by experiment. `outcomes_seen`: the predictions that can no longer be changed.
+    `touched`: when something was last saved, as a Unix timestamp in seconds. The other fields describe the exercise:
     judged tries, hints shown, whether it ever got full marks, and the most points.
     """
 
@@ -52,7 +53,7 @@ def progress_file(folder: Path | None = None) -> Path:
 
 
 def all_progress(folder: Path | None = None) -> dict[str, LessonProgress]:
-    """Load all progress saved in a folder of answers, by stem. Damaged entries count as empty."""
+    """Load all progress saved in a folder of answers, keyed by stem. Damaged entries count as empty."""
     return {stem: _read(entry) for stem, entry in _stored(folder).items()}
 
 
@@ -69,7 +70,7 @@ def save_progress(stem: str, progress: LessonProgress) -> None:
 
 @contextmanager
 def changed_progress(stem: str) -> Iterator[LessonProgress]:
-    """Lock and change a lesson's saved progress. Several notebooks may do so at the same time."""
+    """Lock a lesson's saved progress, yield it for changes, and save it. Several notebooks may do so in parallel."""
     with _locked():
         progress = load_progress(stem)
         before = asdict(progress)
@@ -97,7 +98,7 @@ def _stored(folder: Path | None = None) -> dict[str, Any]:
 
 
 def _read(entry: object) -> LessonProgress:
-    """Convert a saved entry, which another version may have written. Unknown or invalid fields are ignored."""
+    """Convert a saved entry, which another version of the course may have written. Ignore unknown or invalid fields."""
     if not isinstance(entry, dict):
         return LessonProgress()
     known = {

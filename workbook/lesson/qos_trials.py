@@ -1,4 +1,4 @@
-"""Run trials for the lesson on QoS: all pairs of profiles, newcomers that greet, and two domains."""
+"""Run experiments for the lesson on QoS: all pairs of profiles, discovery by new publishers, and two domains."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -28,14 +28,14 @@ from workbook.ros.session import spin_for
 Pair = tuple[str, str]
 POLL_S = 0.02
 NEWCOMER_S = 30.0
-"""Longer than a newcomer takes to start and to give up, even on a busy machine."""
+"""How long (s) to wait for a new publisher's program. Even on a busy machine, it starts and gives up within this time.
+"""
 
 
 def try_pairs(profiles: Mapping[str, QoSProfile], new: int = 5) -> dict[Pair, list[str]]:
     """Return the messages that a subscription receives, for every pair of an offered and a requested profile.
 
-    Each publisher sends one "old" message before its subscription exists, and as many "new" ones afterward as `new`
-    says.
+    Each publisher sends one "old" message before its subscription exists, and afterward, `new` messages that say "new".
     """
     speaker, listener = fresh(Node, "speaker"), fresh(Node, "listener")
     publishers = []
@@ -69,7 +69,7 @@ def _listen(listener: Node, topic: str, qos: QoSProfile, got: list[str]) -> None
 
 
 def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
-    """Draw a table of the received messages, with a row for each offer and a column for each request."""
+    """Draw a table of the messages from `try_pairs`: a row per offered profile, a column per requested profile."""
     names = list(dict.fromkeys(offered for offered, _ in heard))
     fig, axes = figure(6.4, 3.8)
     for (offered, requested), messages in heard.items():
@@ -93,15 +93,22 @@ def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
 
 
 def greet(programs: int, listener: str, **parameters: object) -> list[float]:
-    """Run newcomers (lesson_nodes.first_words) one after another. Return the times (ms) to discover the listener."""
+    """Run new publishers one after another, and return how long (ms) each takes to discover its subscription.
+
+    `programs`: how many to run (lesson_nodes.first_words). `listener`: the topic with the subscription. `parameters`:
+    the publishers' ROS parameters.
+    """
     newcomer = _newcomer(listener, parameters)
     return [_greeted(newcomer, int(os.environ["ROS_DOMAIN_ID"])) for _ in range(programs)]
 
 
 def greet_by_default(programs: int) -> list[float]:
-    """Run newcomers and a listener with Fast DDS's defaults, on their own domain. Return the discovery times (ms)."""
+    """Run new publishers as `greet` does, but with Fast DDS's default settings and on a separate domain.
+
+    A subscriber runs on that domain.
+    """
     newcomer = _newcomer("/robot/status")
-    with lease_domain() as aside:  # this notebook isn't on it, because it would answer quickly
+    with lease_domain() as aside:  # not this notebook's domain, because the notebook would respond quickly
         domain_id = aside.domain_id
         with NodeProcess(
             _lesson_node("status_monitor"), domain_id, write_profile=profile_with_default_times
@@ -122,7 +129,7 @@ def _lesson_node(name: str, **options: Any) -> ProgramSpec:
 
 
 def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Path] | None = None) -> float:
-    """Run one newcomer to its end, and return the time (ms) that it prints. Raise RuntimeError if it fails."""
+    """Run one new publisher to its end, and return the time (ms) that it prints. Raise RuntimeError if it fails."""
     with NodeProcess(newcomer, domain_id, write_profile=profile) as process:
         process.wait(NEWCOMER_S)
         ended = process.record()
@@ -132,7 +139,10 @@ def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Pa
 
 
 def found_picture(here_ms: list[float], plain_ms: list[float], description: str) -> Still:
-    """Draw how long newcomers took to find their listener, as two histograms over one axis."""
+    """Draw two histograms on a shared axis: how long new publishers took to find their subscription.
+
+    `here_ms`: the times with this workbook's settings. `plain_ms`: the times with Fast DDS's defaults.
+    """
     fig, (upper, lower) = figure(6.4, 3.6, rows=2)
     steps = [
         10 ** (power / 4) for power in range(15)

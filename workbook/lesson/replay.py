@@ -14,12 +14,12 @@ from workbook.recording.recording import Recording
 from workbook.templating import as_markup, render
 
 DRAWING_BUDGET_S = 20.0
-"""Limit on the CPU time for the timeline, because drawing a malicious recording could take forever."""
+"""The limit on the CPU time (s) for the timeline, because drawing a malicious recording could take forever."""
 
 
 @dataclass(frozen=True)
 class ReportReplay:
-    """A report, judged on this machine. `judgement` and the timeline are missing if the report has no recording."""
+    """A report, judged on this machine. `judgement` and `timeline` are None if the report has no recording."""
 
     report: HelpReport
     judgement: Judgement | None
@@ -27,7 +27,7 @@ class ReportReplay:
     timeline_text: str
 
     def notes(self) -> list[str]:
-        """Return sentences about the report itself: the versions that made it, and whether its recording is current."""
+        """Return sentences about the report: the versions that made it, and whether its recording is current."""
         made = self.report.made_by
         said = [f"Made by workbook {made.workbook}, rclpy {made.rclpy}, Python {made.python}."]
         if self.judgement is None:
@@ -59,7 +59,7 @@ def _about_topic(recording: Recording, name: str) -> str:
 
 
 def replay(report: HelpReport, exercise: Exercise) -> ReportReplay:
-    """Judge the report's recording by this course's criteria. No code from the report runs."""
+    """Judge the report's recording by this course's criteria, without running any code from the report."""
     recording = report.recording
     if recording is None:
         return ReportReplay(report, None, None, "")

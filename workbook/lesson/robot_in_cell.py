@@ -1,6 +1,6 @@
 """Show the robot in a cell. JupyterLab draws and moves it.
 
-Readers without our front end see a still instead. workbook/lab/front_end/panel/cell.js is the front end's part.
+In other front ends, readers see a still instead. The front end's code is in workbook/lab/front_end/panel/cell.js.
 """
 
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ from workbook.lesson.front_end import request, told
 
 ROBOT = "application/vnd.rclpy-workbook.robot+json"
 GLIDES = 4
-"""After this many of rig.js's time constants, a fiftieth of a movement is left."""
+"""How many of rig.js's time constants a glide takes. After that, only a fiftieth of the movement is left."""
 
 
 @cache
@@ -46,7 +46,7 @@ def draws_robots() -> bool:
 
 
 class RobotInCell:
-    """A robot below the running cell that follows the messages of this notebook's programs until `rest` is called."""
+    """A robot below the running cell. Until `rest` is called, it follows the messages of this notebook's programs."""
 
     _newest: ClassVar[object] = None
 
@@ -59,17 +59,17 @@ class RobotInCell:
 
     @classmethod
     def moves_here(cls) -> bool:
-        """Return whether such a robot already moves below the running cell."""
+        """Return whether a robot that follows the messages already moves below the running cell."""
         return draws_robots() and cls._newest == request().get("header")
 
     def rest(self) -> None:
-        """Let the robot fall asleep, because its program has ended."""
+        """Put the robot to sleep, because its program has ended."""
         if self._display is not None:
             self._display.update(_bundle(None), raw=True)
 
 
 class PosedRobot:
-    """A robot below the running cell that glides to each pose from the kernel within `ease` seconds."""
+    """A robot below the running cell. It glides to each pose that the kernel sends within `ease` seconds."""
 
     def __init__(self, description: str, ease: float) -> None:
         self._text = description
@@ -78,14 +78,14 @@ class PosedRobot:
         self._news: dict[str, object] = {}
 
     def show(self, news: dict[str, object]) -> None:
-        """Send the new state, unless nothing has changed."""
+        """Send the robot's new state to the front end, unless nothing has changed."""
         if news == self._news:
             return
         self._news = news
         self._put({"text/plain": self._text})
 
     def leave(self, picture: bytes | None) -> None:
-        """Keep the last pose on the page, with a still for other front ends. Without a `picture`, do nothing."""
+        """Keep the last pose on the page, with `picture` as a still for other front ends. If it's None, do nothing."""
         if picture is not None:
             from workbook.pictures.stills import Still
 

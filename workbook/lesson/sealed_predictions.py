@@ -43,7 +43,7 @@ def sealed_folder() -> Path:
 
 
 def all_predictions() -> dict[str, Prediction]:
-    """Load all predictions of the course, by name. A damaged file counts as empty."""
+    """Load all of the course's predictions, keyed by name. A damaged file counts as empty."""
     found: dict[str, Prediction] = {}
     for path in sorted(sealed_folder().glob(f"[0-9]*{SUFFIX}")):
         try:

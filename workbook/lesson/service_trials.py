@@ -1,4 +1,4 @@
-"""Run trials for the lesson on services: a node with a heartbeat sends a request in various ways."""
+"""Run experiments for the lesson on services: a node with a heartbeat sends a request in various ways."""
 
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -15,14 +15,17 @@ SECONDS = 2.2
 AT_ONCE = 3
 """How many programs run at the same time."""
 GOES_ON_TO = 1.2
-"""If the last beat is older than this (s) at the end, the heart has stopped."""
+"""The heart counts as stopped if its last beat is at least this long (s) before the recording's end."""
 
 Case = tuple[str, str, int]
 """How the node sends its request, its client's callback group, and its executor's number of threads."""
 
 
 def try_out(program: Program, case: Case, **parameters: object) -> Recording:
-    """Record two seconds of a node, in its own process, that sends its request in the given way."""
+    """Run a node that sends its request in the given way, and record it for about two seconds of real time.
+
+    Extra `parameters` are passed to the node.
+    """
     way, group, threads = case
     return record(
         program,
@@ -37,18 +40,18 @@ def try_out(program: Program, case: Case, **parameters: object) -> Recording:
 
 
 def try_all(program: Program, cases: Sequence[Case], **parameters: object) -> list[Recording]:
-    """Run and record all cases, three at a time."""
+    """Run and record all cases, three at a time. Return the recordings in the order of the cases."""
     with ThreadPoolExecutor(AT_ONCE) as pool:
         return list(pool.map(lambda case: try_out(program, case, **parameters), cases))
 
 
 def answers(recording: Recording) -> str:
-    """Return whether the requests got responses: "come" or "never"."""
+    """Return "come" if the node received responses to its requests, and "never" if it didn't."""
     return "come" if len(arrivals(recording, ANSWERED)) >= 2 else "never"
 
 
 def heart(recording: Recording) -> str:
-    """Return whether the heartbeat continues while a request waits: "beats", "limps" or "stops"."""
+    """Return whether the heartbeat continues while a request waits: "beats", "limps", or "stops"."""
     beats, had = arrivals(recording, HEART), arrivals(recording, ANSWERED)
     if max(beats, default=0.0) < recording.watched_s - GOES_ON_TO:
         return "stops"
@@ -59,7 +62,7 @@ def heart(recording: Recording) -> str:
 
 
 def hearts_picture(recordings: dict[str, Recording], title: str, description: str) -> Still:
-    """Draw each recording's heartbeats as a row, labeled with the results for heartbeat and responses."""
+    """Draw each recording's heartbeats as a row, labeled with the results of `heart` and `answers`."""
     rows = []
     for label, recording in recordings.items():
         goes, come = heart(recording), answers(recording)

@@ -1,4 +1,4 @@
-"""Wait until a newly started program is on the graph and spinning, or has ended with an error."""
+"""Wait until a newly started program is in the graph and spinning, or has ended with an error."""
 
 import time
 from collections import Counter
@@ -16,20 +16,22 @@ from workbook.watching.quiescence import Quiescence
 NODES_WITHIN_S = 10.0
 """How long (s) to wait for a node. After that, we assume that the program has none, even if one appears later."""
 SERVES_WITHIN_S = 30.0
-"""The longest wait (s) for a busy program. On a busy machine, its first error is shown late rather than not at all."""
+"""The longest wait (s) for a program that keeps working. It's long, so that a busy machine shows the program's first
+error late rather than not at all.
+"""
 IDLE_S = 3.0
-"""The longest wait (s) for an idle program. Its nodes may have no parameter services, or a callback blocks them."""
+"""The longest wait (s) for an idle program. Its nodes may lack parameter services, or a callback may block them."""
 GONE_WITHIN_S = 1.0
 """How long (s) to wait until an ended program's nodes leave the graph. A killed program's nodes stay much longer."""
 POLL_S = 0.02
 
 
 def wait_until_it_serves(process: NodeProcess, node: str) -> None:
-    """Wait until the node (fully qualified name) has replied to a service request, which only a spinning node does.
+    """Wait until a node responds to a service request, which only a spinning node does.
 
-    A node is on the graph as soon as its base class is initialized. Later lines of the program may still fail, so
-    seeing its name isn't enough. Returns early if the program ends, or if it has been idle for three seconds without a
-    reply. A program that is busy, or waits for a processor, gets half a minute.
+    `node`: its fully qualified name. A node is in the graph as soon as its base class is initialized. Later lines of
+    the program may still fail, so seeing the node's name isn't enough. Return early if the program ends, or if it has
+    been idle for three seconds without a response. The longest wait is 30 seconds.
     """
     context = kernel_node().context
     client_node = Node(
@@ -65,9 +67,9 @@ def wait_until_it_serves(process: NodeProcess, node: str) -> None:
 
 
 def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
-    """Wait until nodes that aren't in `known` appear on the graph, and return their names.
+    """Wait until nodes that aren't in `known` appear in the graph, and return their names.
 
-    A duplicate of a known name counts, too. The list is empty if the program ends or ten seconds have passed first.
+    A second node with a known name counts, too. The list is empty if the program ends first, or after ten seconds.
     Nodes that this notebook creates with `fresh` in the meantime are left out.
     """
     own = own_names()
@@ -83,9 +85,10 @@ def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
 
 
 def wait_until_gone(nodes: Counter[str]) -> None:
-    """Wait until each of an ended program's nodes has left the graph. `nodes`: how many of each name there were.
+    """Wait, at most one second, until each of an ended program's nodes has left the graph.
 
-    A program announces over DDS that it leaves, but the announcement may arrive after the process has ended.
+    `nodes`: how many nodes of each name the graph contained. A program announces over DDS that it's leaving, but the
+    announcement may arrive after the process has ended.
     """
 
     def are_there() -> bool:
@@ -108,11 +111,11 @@ def waiting_for_clock(nodes: list[str]) -> list[str]:
 
 
 def own_names() -> Counter[str]:
-    """Return the fully qualified names of the nodes that this notebook made with `fresh`."""
+    """Count the nodes that this notebook made with `fresh`, by fully qualified name."""
     return Counter(node.get_fully_qualified_name() for node in nodes_in(get_default_context()))
 
 
 def node_names() -> Counter[str]:
-    """Return the fully qualified names of all nodes on this notebook's domain, except hidden ones."""
+    """Count the nodes on this notebook's domain, except hidden ones, by fully qualified name."""
     found = kernel_node().get_node_names_and_namespaces()
     return Counter(f"{namespace.rstrip('/')}/{name}" for name, namespace in found if not name.startswith("_"))

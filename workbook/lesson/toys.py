@@ -1,4 +1,4 @@
-"""Draw a detector's boxes into images, for films and figures of lessons."""
+"""Draw a detector's boxes into images, for the lessons' films and figures."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -12,7 +12,7 @@ from workbook.pictures.png import Pixels
 from workbook.pictures.stills import Still
 
 HEIGHT = 270
-"""Height on the page, in pixels. Images are scaled to it before boxes are drawn."""
+"""The height on the page, in pixels. Images are scaled to it before boxes are drawn."""
 WHITE, INK = (255, 255, 255), (20, 20, 20)
 MARGIN = 3
 Frame = tuple[float, float, float, float]
@@ -20,9 +20,9 @@ Frame = tuple[float, float, float, float]
 
 
 def boxed(picture: Pixels, detections: Sequence[Detection], scores: bool = False) -> bytes:
-    """Draw a box and a label for each detection into an RGB image, and its score if asked for. Return PNG bytes.
+    """Draw a labeled box for each detection into an RGB image, and return PNG bytes.
 
-    A label stands above its box, or below it if it would cover another label.
+    A label stands above its box, or below it if it would cover another label. With `scores`, it includes the score.
     """
     factor = HEIGHT / picture.shape[0]
     drawn = Image.fromarray(picture).resize((round(factor * picture.shape[1]), HEIGHT))
@@ -49,7 +49,10 @@ def boxed(picture: Pixels, detections: Sequence[Detection], scores: bool = False
 
 
 def in_a_row(pictures: Mapping[str, bytes], description: str) -> Still:
-    """Show PNG images next to each other, each below its title."""
+    """Show PNG images next to each other, each below its title.
+
+    `pictures`: PNG bytes by title. `description`: the alternative text.
+    """
     fig, panels = figure(7.6, 3.1, columns=len(pictures))
     for axes, (title, png) in zip(panels, pictures.items(), strict=True):
         axes.imshow(Image.open(io.BytesIO(png)))

@@ -19,7 +19,7 @@ from workbook.typechecking.typecheck import BARE, NOTE, SETTINGS, TYPINGS, MypyO
 
 _STRICT = ("--strict",)
 SILENT_AT_MOST_S = 1.5
-"""If mypy takes longer than this, a line says that it's running."""
+"""If mypy takes longer than this (s), a line says that it's running."""
 
 
 @dataclass(frozen=True)
@@ -54,11 +54,12 @@ class TypeReport:
 def check_types(
     program: str | Path | ModuleType, *, stubs: bool = True, strict: bool = True, notes: bool = False
 ) -> TypeReport:
-    """Check a program with mypy: its text, its file, a module, or your answer to the exercise of that name.
+    """Check a program with mypy, and return its findings.
 
-    `stubs`: use the course's stubs for message packages (`workbook/typings`) instead of only the installed ROS
-    packages. `strict`: every function must be annotated; with stubs, explicit Any isn't allowed either. `notes`: also
-    show the output of `reveal_type`.
+    `program`: the program's text, its file, a module, or the name of an exercise, for your answer to it. `stubs`: use
+    the course's stubs for message packages (`workbook/typings`) instead of only the installed ROS packages. `strict`:
+    every function must be annotated; with stubs, explicit Any isn't allowed either. `notes`: also show the output of
+    `reveal_type`.
     """
     text = _text_of(program)
     if stubs:
@@ -71,7 +72,7 @@ def check_types(
 
 @contextmanager
 def _waiting_line() -> Iterator[None]:
-    """Print a line if mypy takes long, because its first run reads rclpy. Builds don't print the line."""
+    """Print a line if mypy takes long, as its first run does, because it reads rclpy. Builds don't print the line."""
     if unattended():
         yield
         return
@@ -97,7 +98,7 @@ def _text_of(program: str | Path | ModuleType) -> str:
 
 
 def stub_of(message_class: type) -> str:
-    """Return the declaration of a message class, such as `Float32`, in the course's stubs."""
+    """Return the class declaration of a message class, such as `Float32`, from the course's stubs."""
     package, kind = message_class.__module__.split(".")[:2]
     stub = (TYPINGS / package / kind / "__init__.pyi").read_text(encoding="utf-8")
     name = message_class.__name__
@@ -107,7 +108,11 @@ def stub_of(message_class: type) -> str:
 def nets_picture(
     nets: Mapping[str, Set[int]], names: Mapping[int, str], description: str, *, title: str
 ) -> Still:
-    """Draw which check catches which mistake. Checks with "run time" in their name only see lines that run."""
+    """Draw which check catches which mistake.
+
+    `nets`: for each check, the numbers of the mistakes that it catches. `names`: the mistakes, by number. A check with
+    "run time" in its name sees only lines that run.
+    """
     fig, axes = figure(7.6, 1.0 + 0.37 * len(names))
     for column, (net, caught) in enumerate(nets.items()):
         late = "run time" in net

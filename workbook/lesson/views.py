@@ -18,12 +18,13 @@ from workbook.ros.kernel_node import kernel_node
 from workbook.ros.session import Condition, Stopped, run
 
 MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
-"""Environment variable: the highest number of frames per second, whatever a cell asks for."""
+"""The environment variable with the highest number of frames per second, which limits the `fps` that a cell asks for.
+"""
 ROBOT_TEXT = "a humanoid robot with twelve joints, posed by the last message on /robot/joint_positions"
 
 
 class _View(Node):
-    """A node with subscriptions while a view is open. It uses the context of the kernel's hidden node."""
+    """A node whose subscriptions exist while a view is open. It uses the context of the kernel's hidden node."""
 
     def __init__(self, name: str) -> None:
         super().__init__(
@@ -36,7 +37,7 @@ class _View(Node):
 
 
 class RobotView(_View):
-    """Poses the figure by the messages on /robot/joint_positions. Its lamp follows /robot/status."""
+    """Poses the robot by the messages on /robot/joint_positions, and lights its lamp by those on /robot/status."""
 
     def __init__(self, ease: float) -> None:
         super().__init__("robot_view")
@@ -56,7 +57,7 @@ class RobotView(_View):
 
 
 class StatusView(_View):
-    """Collects /robot/status and /robot/battery for the dashboard."""
+    """Collects the messages on /robot/status and /robot/battery for the dashboard."""
 
     def __init__(self, window: float) -> None:
         super().__init__("dashboard")
@@ -93,9 +94,10 @@ async def watched(
     *,
     ends_program: bool = False,
 ) -> None:
-    """Run a view, calling `refresh` for each frame, until its time is over or Stop; then remove it from the graph.
+    """Run a view and call `refresh` for each frame. At the end, remove the view's node from the graph.
 
-    After Stop, print which programs still run, unless the caller ends them (`ends_program`).
+    The view ends after `seconds`, when `until` is met, or on Stop. After Stop, print which programs still run, unless
+    the caller ends them (`ends_program`).
     """
     fps = min(fps, float(os.environ.get(MOST_PICTURES, "inf")))
     try:
@@ -126,8 +128,8 @@ async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> 
 async def watch_robot(seconds: float | None = 10.0, fps: float = 20.0, ease: float = 0.8) -> None:
     """Show the robot live, in the pose from the messages on /robot/joint_positions.
 
-    `seconds`: how long (None: until Stop). `fps`: frames per second. `ease`: the time (s) in which the figure glides to
-    a new pose; with 0, it jumps. Raise ValueError if `seconds` isn't above zero and finite.
+    `seconds`: how long; None: until Stop. `fps`: frames per second. `ease`: how long (s) the robot takes to glide to a
+    new pose; with 0, it jumps. Raise ValueError if `seconds` isn't positive and finite.
     """
     if seconds is not None and (not math.isfinite(seconds) or seconds <= 0):
         raise ValueError(f"seconds must be above zero, not {seconds}")
@@ -146,9 +148,10 @@ async def watch_robot(seconds: float | None = 10.0, fps: float = 20.0, ease: flo
 
 
 async def watch_status(seconds: float | None = 10.0, fps: float = 15.0, window: float = 10.0) -> StatusView:
-    """Show the dashboard of /robot/status and /robot/battery live for `seconds` (None: until Stop).
+    """Show a dashboard of /robot/status and /robot/battery live for `seconds` (None: until Stop).
 
-    Return the view with the last `status` and `battery` and with `arrivals` (s since the view was opened).
+    `fps`: frames per second. `window`: how many seconds of arrivals to show. Return the view with the last `status` and
+    `battery`, and with the `arrivals` by topic (s since the view was opened).
     """
     view = StatusView(window)
     await _show(view, dashboard.DESCRIPTION, seconds, fps)
@@ -156,5 +159,8 @@ async def watch_status(seconds: float | None = 10.0, fps: float = 15.0, window: 
 
 
 def robot(*angles: float, lamp: str | None = None, caption: str = "") -> Still:
-    """Draw a still of the robot at twelve angles (rad)."""
+    """Draw a still of the robot at twelve joint angles (rad), with a `caption` under its feet.
+
+    `lamp`: "operational", "error", or None (off).
+    """
     return Still(humanoid.draw(angles, lamp=lamp, caption=caption), f"a humanoid robot. {caption}".strip())  # type: ignore[arg-type]

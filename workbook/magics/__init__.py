@@ -1,13 +1,13 @@
 """The IPython extension for exercise notebooks: %%answer, %start, %check, and the other magics.
 
-Every kernel loads it at startup. This package is a face: only `cli` imports from it (the progress table).
+Every kernel loads it at startup. Among the other packages, only `cli` imports anything from here: the progress table.
 """
 
 from typing import Any
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """Register the magics and make ROS safe in this kernel."""
+    """Register the magics, and set up this kernel for ROS, short tracebacks, and the record of cells that were run."""
     from workbook.lesson.activity import note_cell
     from workbook.magics import tracebacks
     from workbook.magics.calls import CallChecker

@@ -1,4 +1,7 @@
-"""Treat `stop()` as Python code. If the function isn't defined yet, IPython would run the magic of that name."""
+"""Run lines such as `stop()` as Python code, even before the function is defined.
+
+Otherwise, IPython would run the magic of that name.
+"""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Judge the answer file on a warm slot for `%check`, and build the card."""
+"""Judge the answer file for `%check` in a judge that's already running (a warm slot), and build the card."""
 
 import os
 from collections.abc import Callable
@@ -32,9 +32,9 @@ def judge(
     stop: Callable[[], bool] = lambda: False,
     progress: ShowProgress | None = None,
 ) -> Judgement:
-    """Judge on the warm slot, or have the class's service judge.
+    """Judge an answer on the warm slot, or have the class's judging service judge it.
 
-    Repeat this while the result is inconclusive and `stop` returns False, at most three times.
+    Repeat this while the result is inconclusive and `stop()` returns False, at most three times.
     """
 
     service = os.environ.get(ADDRESS)
@@ -65,9 +65,10 @@ def _timeline(
 
 @dataclass(frozen=True)
 class Asked:
-    """The answer to judge with one `%check`. `version`: the version that was run, if we couldn't read the screen.
+    """The answer that a `%check` judges.
 
-    `replays`: whether the front end itself moves the robot on the card.
+    `version`: the version that was run, if we couldn't read the screen; else None. `replays`: whether the front end
+    itself moves the robot on the card.
     """
 
     exercise: Exercise
@@ -110,7 +111,7 @@ def _better_line(asked: Asked, judgement: Judgement) -> str:
 
 
 def card_for(asked: Asked, judgement: Judgement, film: Film | None = None) -> Card:
-    """Build the complete card. `film` shows the moving robot, and is None until it has been drawn."""
+    """Build the complete card. `film` shows the moving robot; it's None until it has been drawn."""
     exercise, answer = asked.exercise, asked.answer
     first = wording.first_to_mend(judgement)
     timeline, timeline_text = _timeline(exercise, judgement, first)

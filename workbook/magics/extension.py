@@ -54,12 +54,12 @@ _CLOCK_MISSING = (
 
 
 class _Notice(Exception):
-    """A message for the student, shown instead of executing the command."""
+    """Raised to show the student a message instead of executing the command."""
 
 
 @magics_class
 class ExerciseMagics(Magics):
-    """A kernel's magics. They keep track of the current exercise and of running programs."""
+    """A kernel's magics. They keep track of the current exercise and of the running programs."""
 
     def __init__(self, shell: InteractiveShell | None) -> None:
         super().__init__(shell)
@@ -89,9 +89,9 @@ class ExerciseMagics(Magics):
 
     @cell_magic
     def answer(self, line: str, cell: str) -> None:
-        """Save this cell as the answer to an exercise. It does not run here: %start and %check run it.
+        """Save this cell as your answer to an exercise. The cell doesn't run here: %start and %check run it.
 
-        `%%answer 09_joint_positions --check` also checks it.
+        `%%answer 09_joint_positions --check` also checks the answer.
         """
         self._report(self._answer, line, cell)
 
@@ -140,7 +140,7 @@ class ExerciseMagics(Magics):
         return parent()
 
     def _take_screen(self, exercise: Exercise) -> screen.Version | None:
-        """Save the text of the answer cell on the screen, as running it would, and return None.
+        """Save the answer cell's text from the screen, as running the cell would, and return None.
 
         If the front end doesn't send the screen's text, return the version that was run.
         """
@@ -159,7 +159,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def reset(self, line: str) -> None:
-        """Put the starter back. Your present answer is kept."""
+        """Put the starter code back. Your current answer is kept in a file."""
         self._report(self._reset, line)
 
     def _reset(self, line: str) -> None:
@@ -179,7 +179,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def restore(self, line: str) -> None:
-        """Restore your best judged version. The one you have now is kept."""
+        """Restore your best judged version. Your current version is kept in a file."""
         self._report(self._restore, line)
 
     def _restore(self, line: str) -> None:
@@ -203,7 +203,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def start(self, line: str) -> None:
-        """Run your answer as its own process on this notebook's domain."""
+        """Run your answer in its own process on this notebook's domain."""
         self._report(self._start, line)
 
     def _start(self, line: str) -> None:
@@ -271,7 +271,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def stop(self, line: str) -> None:
-        """End the program that %start has started, as Ctrl-C would."""
+        """End the program that %start started, as Ctrl-C would."""
         self._report(self._stop, line)
 
     def _stop(self, line: str) -> None:
@@ -285,7 +285,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def check(self, line: str) -> None:
-        """Judge your answer, as it is on the screen, by what it does on the topics."""
+        """Judge the answer on your screen by its behavior on the topics."""
         self._report(self._check, line)
 
     def _check(self, line: str) -> None:
@@ -323,7 +323,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def hint(self, line: str) -> None:
-        """Show the next of three hints, below the earlier ones: a nudge, a pointer, a sketch."""
+        """Show the next of three hints, below the earlier ones: a nudge, then a pointer, then a sketch."""
         self._report(self._hint, line)
 
     def _hint(self, line: str) -> None:
@@ -371,7 +371,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def solution(self, line: str) -> None:
-        """Show the reference answer, once yours passes or after some honest tries."""
+        """Show the reference answer, once your answer passes or after several judged tries."""
         self._report(self._solution, line)
 
     def _solution(self, line: str) -> None:

@@ -1,7 +1,7 @@
-"""Show the card of a check. Each later judgment replaces the one before.
+"""Show a check's card in the cell. Each later judgment replaces the card of the previous one.
 
-Until the first judgment, a line shows what the judge is watching and its progress. In JupyterLab, a robot moves next to
-that line.
+Before the first judgment, a line shows what the judge is watching, and its progress. In JupyterLab, a robot moves next
+to that line.
 """
 
 import threading
@@ -28,14 +28,16 @@ ROBOT_ON_CARD = "workbook.magics.robot_on_card"
 CHECK = "application/vnd.rclpy-workbook.check+json"
 """MIME type of the instructions to card.js that move the robot on a card."""
 BLANK_S = 0.3
-"""A cell shows something after this time at the latest."""
+"""How long (s) the cell may stay empty."""
 ROBOT_AFTER_S = ROBOT_FOR_S = 1.0
-"""The robot appears only after this time, and only if it will stay for as long. Otherwise, it would only flash."""
+"""The robot appears only after this time (s), and only if it will stay for at least as long. Otherwise, it would just
+flash.
+"""
 _MINUTE = (55, 65)
 
 
 class WaitingLine:
-    """The output until there is a card: what the judge watches, and its progress."""
+    """The output before there's a card: what the judge watches, and its progress."""
 
     def __init__(
         self, exercise: Exercise, progress: Progress | None = None, *, has_robot: bool = False
@@ -69,10 +71,11 @@ def _planned_s(exercise: Exercise) -> float:
 
 
 class LiveCard:
-    """The card of a check whose `judge` runs in a thread. The output never waits for the front end.
+    """The card of a check. Its `judge` runs in a thread, so the output never waits for the front end.
 
-    `decided` is set once a final card is shown, or none can come. `judgement` is the final judgment. `superseded`: a
-    newer check is waiting, so nothing is tried again. `abandoned`: nothing more is shown, either.
+    `decided` is set once a final card is shown, or if there can't be one. `judgement` is the final judgment.
+    `superseded` is set if a newer check is waiting, so that an inconclusive judgment isn't repeated. `abandoned` is set
+    if nothing more should be shown.
     """
 
     def __init__(self, asked: Asked) -> None:
@@ -90,7 +93,7 @@ class LiveCard:
         self._has_card = False
 
     def judge(self) -> None:
-        """Judge, and show the result."""
+        """Judge the answer, and show the result."""
         asked = self._asked
         blank = threading.Timer(BLANK_S, self._begin_to_wait)
         blank.daemon = True
@@ -108,9 +111,9 @@ class LiveCard:
             import_module(ROBOT_ON_CARD)  # imported only now, so that it delays nothing else
 
     def _wait(self, progress: Progress | None) -> None:
-        """Show the progress while there is no card.
+        """Show the progress until there's a card.
 
-        The output stays empty for the first BLANK_S, because most checks are done by then.
+        The output stays empty for the first `BLANK_S` seconds, because most checks finish within that time.
         """
         with self._one_at_a_time:
             is_early = progress is not None and self._handle is None
@@ -156,7 +159,7 @@ class LiveCard:
         self._put(checking.card_for(self._asked, judgement, self._film), self._replay if moves else None)
 
     def _add_the_robot(self, judgement: Judgement) -> None:
-        """Add the moving robot to a card that's already shown, because drawing even one frame takes half a second."""
+        """Add the moving robot once the card is shown, because drawing even one frame takes half a second."""
         if judgement.recording is None:
             return
         try:

@@ -31,7 +31,7 @@ class LessonRow:
 
     @property
     def read(self) -> str:
-        """How much of the lesson was read, as text."""
+        """How many of the lesson's cells were read, as text."""
         done, of = self.state.cells
         if not done:
             return "–"
@@ -97,7 +97,7 @@ class ProgressTable:
         return self.course.next_step
 
     def text(self, columns: int | None = None) -> str:
-        """Return the table for a terminal. Titles are cut if the table is wider than `columns`."""
+        """Return the table for a terminal. Titles are cut if the table is wider than `columns` characters."""
         lines = [_HEAD, *(row.columns() for row in self.rows)]
         widths = [max(len(line[place]) for line in lines) for place in range(len(_HEAD))]
         if columns is not None:

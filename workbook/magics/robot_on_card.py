@@ -1,7 +1,7 @@
 """Prepare the robot on a check's card, which JupyterLab draws and moves by the recorded messages.
 
-While the judge watches, the robot follows the latest messages. With full marks, it replays a part of the recording.
-workbook/lab/front_end/panel/card.js is the front end's part. Readers without our front end see a still.
+While the judge watches, the robot follows the latest messages. With full marks, it replays a part of the recording. The
+front end's code is in workbook/lab/front_end/panel/card.js. In other front ends, readers see a still.
 """
 
 import contextlib
@@ -19,16 +19,16 @@ from workbook.pictures.joints import NEUTRAL, waving
 from workbook.recording.recording import Recording
 
 EXCERPT_S = 8.0
-"""How much simulated time (s) is replayed. One second of it takes one second."""
+"""How many seconds of simulated time are replayed. The replay takes as many seconds of real time."""
 TICK_S = 0.1
-"""Within each such interval, only a topic's last message moves the robot."""
+"""In each interval of this length (s), only a topic's last message moves the robot."""
 LARGEST_REPLAY = 40_000
-"""The largest replay, in characters of JSON, because it's saved in the notebook."""
+"""The largest replay, in characters of JSON. The limit exists because the notebook stores the replay."""
 WAVE_S = 2.7
 FAST_GLIDE_MS = 110
-"""While the judge watches, the robot glides between updates that come four times a second."""
+"""How long (ms) the robot glides to a new pose while the judge watches. Updates come four times a second."""
 GLIDES_MS = (70, 300)
-"""The fastest and the slowest glide of a replay."""
+"""The shortest and the longest glide to a pose in a replay."""
 MOVES_NOW = "Your program's messages move the robot."
 MOVED = "A replay: your program's messages moved the robot like this."
 _PER_GLIDE = 5
@@ -36,11 +36,11 @@ _DIGITS = 3
 _MOVES_NOTHING = {"awake", "words"}
 
 Event = tuple[int, dict[str, object]]
-"""A time (ms), and what the robot does then."""
+"""A time (ms), and the changes to the robot at that time."""
 
 
 def _message(value: object) -> Any:
-    """Convert a message stored as plain data into an object with attributes."""
+    """Convert a message, stored as plain data, to an object with attributes."""
     return json.loads(json.dumps(value), object_hook=lambda fields: SimpleNamespace(**fields))
 
 
@@ -49,9 +49,10 @@ def _line(value: Mapping[str, object]) -> str:
 
 
 def _take(robot: PanelRobot, topic: str, type_name: str, value: object, now: float) -> None:
-    """Let the robot react to a message. A message that doesn't fit its type moves nothing.
+    """Have the robot react to a message. If a message doesn't fit its type, the robot ignores it.
 
-    A message without an effect is shown only if it's a number or a word. Others would fill the line below the robot.
+    A message without an effect on the robot is shown only if it's a number or a word. Others would fill the line below
+    the robot.
     """
     if not isinstance(value, Mapping) or topic.startswith(PLUMBING):
         return
@@ -81,7 +82,10 @@ class WatchedRobot:
         self._state: dict[str, object] = {}
 
     def after(self, progress: Progress, now: float) -> dict[str, object]:
-        """Return the update for card.js: the lasting state and the latest moments. `now` is a monotonic time (s)."""
+        """Return the update for card.js: the robot's lasting state and its latest momentary effects.
+
+        `now`: the monotonic time in seconds.
+        """
         for topic, count in progress.messages.items():
             value = progress.latest.get(topic)
             if count != self._counts.get(topic):
@@ -104,7 +108,7 @@ class _Seen(NamedTuple):
 def _messages(recording: Recording) -> list[_Seen]:
     """Return the program's messages and the responses to calls, in order, at most one per topic and tick.
 
-    The judge's messages are included, unless the program's own messages move the same part of the robot.
+    The judge's messages are included, unless the program's own messages have the same effect on the robot.
     """
     found: dict[tuple[str, int], _Seen] = {}
     own = set()
@@ -158,7 +162,7 @@ def _liveliest(events: list[tuple[float, dict[str, object]]]) -> int:
 
 
 def _bounded(events: list[Event]) -> list[Event]:
-    """Cut off the end of a replay that is too large for a notebook."""
+    """Cut off the end of a replay if it's too large for a notebook."""
     size = 0
     for number, event in enumerate(events):
         size += len(json.dumps(event))
@@ -168,7 +172,7 @@ def _bounded(events: list[Event]) -> list[Event]:
 
 
 def _glide(events: list[Event]) -> int:
-    """Return how long (ms) the robot takes to reach a pose: longer if poses are rare."""
+    """Return how long (ms) the robot takes to reach a pose. If poses are rare, it takes longer."""
     poses = [moment for moment, news in events if "pose" in news]
     gaps = sorted(later - earlier for earlier, later in zip(poses, poses[1:], strict=False))
     fastest, slowest = GLIDES_MS
@@ -188,7 +192,7 @@ def _wave() -> dict[str, object]:
 def replay_of(recording: Recording) -> dict[str, object]:
     """Convert a recording to a replay: the robot's `events` with their times (ms), and its `glide` (ms).
 
-    If nothing in the recording would move the robot, it waves.
+    If nothing in the recording would move the robot, the replay shows a wave of its hand.
     """
     events = list(_all_events(_messages(recording)))
     if not any(set(news) - _MOVES_NOTHING for _, news in events):

@@ -13,11 +13,11 @@ from workbook.programs.spec import ProgramSpec
 
 LAST_WORDS = "/driver/last_words"
 LAST_POSE_S = 5.0
-"""The longest wait (s) for a partner that acts on the program's last output and then ends by itself."""
+"""The longest wait (s) for a partner to act on the program's last output and then end by itself."""
 
 
 class Running:
-    """At most one running program per exercise, along with the exercise's partner, if there is one."""
+    """Holds the running programs, at most one per exercise, along with the exercise's partner, if there is one."""
 
     def __init__(self) -> None:
         self._programs: dict[str, NodeProcess] = {}
@@ -31,14 +31,14 @@ class Running:
             self._end(stem, told=False)
 
     def start_partner(self, stem: str, partner: Path) -> NodeProcess:
-        """Start the program that plays the rest of the robot. It ends with the program that `start` starts next."""
+        """Start the exercise's partner, which plays the rest of the robot. It ends with the program started next."""
         self.stop(stem)
         process = self._process(partner)
         self._partners[stem] = process
         return process
 
     def start(self, stem: str, program: Path, driver: Path | None = None) -> NodeProcess:
-        """Start `program`. First end an earlier run for the same exercise, but not the partner."""
+        """Start `program`. First end an earlier run for the same exercise, but let the partner run on."""
         self._end_program(stem)
         process = self._process(program, driver)
         self._programs[stem] = process
@@ -56,13 +56,13 @@ class Running:
         return NodeProcess(spec, int(os.environ["ROS_DOMAIN_ID"]))
 
     def show_robot(self, stem: str) -> None:
-        """Show the robot below the running cell until this exercise's program is stopped. Then it falls asleep."""
+        """Show the robot below the running cell. It falls asleep when this exercise's program is stopped."""
         self._robots[stem] = RobotInCell()
 
     def stop(self, stem: str, *, told: bool = True) -> NodeProcess | None:
         """End an exercise's program and its partner. Return the program, or None if it wasn't running.
 
-        `told`: the partner first receives the program's last output, and gets some time to act on it.
+        `told`: whether the partner first receives the program's last output, and some time to act on it.
         """
         process = self._end(stem, told=told)
         robot = self._robots.pop(stem, None)
@@ -97,7 +97,7 @@ class Running:
             partner.stop()
 
     def stop_all(self) -> list[str]:
-        """End all programs. Return the stems of those that were running."""
+        """End all programs and their partners. Return the stems of the exercises whose program was running."""
         stems = dict.fromkeys(
             (*self._programs, *self._partners)
         )  # an interrupted start may leave only a partner
@@ -118,7 +118,7 @@ def _wait_for_end(process: NodeProcess) -> None:
 
 
 def _tell_last_words(process: NodeProcess, partner: NodeProcess) -> None:
-    """Publish the program's output since Ctrl-C if the partner subscribes to it, and let the partner act."""
+    """Publish the program's output since Ctrl-C if the partner subscribes to it, and let the partner act on it."""
     from rclpy.qos import DurabilityPolicy, QoSProfile
     from std_msgs.msg import String
 

@@ -1,4 +1,4 @@
-"""Read the answer cell's text from the screen, whether it was run or not, and put an answer on the screen.
+"""Read the answer cell's text from the screen, even if the cell wasn't run, and put an answer on the screen.
 
 JupyterLab sends the text with each cell that runs (workbook/lab/front_end/answers.js). With other front ends, the
 version that was run is judged, and we compare it with the saved notebook.
@@ -20,9 +20,9 @@ STARTED_PAYLOAD = "workbook_started"
 
 @dataclass(frozen=True)
 class Version:
-    """The version of an answer that was run, if we couldn't read the screen.
+    """The version of an answer that was run, for use if we can't read the screen.
 
-    `ran_at`: when the student ran it, as text. `differs`: whether the notebook was saved later with another text.
+    `ran_at`: when the student ran it, as text. `differs`: whether the notebook was saved later with a different answer.
     """
 
     ran_at: str
@@ -59,7 +59,7 @@ def answers_on_screen(request: Any) -> list[tuple[str, str]] | None:
 def answer_on_screen(request: Any, stem: str) -> str | None:
     """Return the program in the last answer cell of an exercise.
 
-    The result is None if there is no such cell or the front end doesn't send it.
+    The result is None if there is no such cell, or if the front end doesn't send it.
     """
     fitting = [program for name, program in answers_on_screen(request) or [] if means(name, stem)]
     return fitting[-1] if fitting else None
@@ -98,5 +98,5 @@ def put_on_screen(shell: Any, request: Any, stem: str, program: str) -> None:
 
 
 def offer_panel(shell: Any) -> None:
-    """Have JupyterLab open the robot panel. It does so only for the first program that starts in a browser tab."""
+    """Have JupyterLab open the robot panel. It does so only for the first program that starts in each browser tab."""
     shell.payload_manager.write_payload({"source": STARTED_PAYLOAD})

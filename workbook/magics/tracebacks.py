@@ -1,4 +1,4 @@
-"""Fold tracebacks in a notebook: show the student's own frames, and put library frames behind a click."""
+"""Fold tracebacks in a notebook: show the student's own frames, and hide library frames until a click."""
 
 import re
 import sys
@@ -40,7 +40,7 @@ def library_of(frame: str) -> str | None:
 def split(traceback: Sequence[str]) -> tuple[list[str], list[str], list[str]]:
     """Split a traceback into the parts to show, the library frames, and the libraries' names, in order.
 
-    If no other frame would be left, nothing is folded.
+    If the traceback has only library frames, don't fold any of them.
     """
     libraries = [library_of(part) for part in traceback]
     own = [part for part, name in zip(traceback, libraries, strict=True) if name is None]
@@ -53,7 +53,7 @@ def split(traceback: Sequence[str]) -> tuple[list[str], list[str], list[str]]:
 
 
 class FoldedFrames:
-    """Library frames, behind a line to click on."""
+    """Library frames, which appear after a click on their title."""
 
     def __init__(self, frames: Sequence[str], libraries: Sequence[str]) -> None:
         self.frames = tuple(frames)

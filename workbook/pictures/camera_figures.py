@@ -33,7 +33,10 @@ class Ring:
 def side_by_side(
     images: Sequence[Pixels], titles: Sequence[str], *, rings: Sequence[Ring] = (), height: float = 2.6
 ) -> Figure:
-    """Draw images next to each other, each with its title above. `rings` are drawn on every image."""
+    """Draw images next to each other, each with its title above. `rings` are drawn on every image.
+
+    `height`: the figure's height in inches.
+    """
     width = sum(image.shape[1] / image.shape[0] for image in images) * height
     fig, axes = figure(width, height + 0.3, columns=len(images))
     for axis, image, title in zip(np.atleast_1d(axes), images, titles, strict=True):
@@ -54,7 +57,10 @@ def _draw_ring(axis: Any, ring: Ring, height: int) -> None:
 
 
 def row_memory(width: int, step: int) -> Figure:
-    """Draw two rows of an rgb8 image as stored in `data`: the pixels, then the padding."""
+    """Draw two rows of an rgb8 image in memory, as stored in `data`: the pixels, then the padding.
+
+    `width`: pixels per row. `step`: bytes per row.
+    """
     fig, axis = figure(7.6, 1.9)
     axis.set(xlim=(-0.2, 26.6), ylim=(-1.1, 4.2))
     axis.set_axis_off()
@@ -90,7 +96,7 @@ def _bracket(axis: Any, start: float, end: float, height: float, words: str) -> 
 
 
 def hue_wheel(low: int, high: int) -> Figure:
-    """Draw the hue wheel with OpenCV's numbers, 0 to 179, and mark the accepted range."""
+    """Draw the hue wheel with OpenCV's numbers, 0 to 179, and mark the accepted range from `low` to `high`."""
     fig, axis = figure(3.6, 3.4)
     axis.set(xlim=(-1.55, 1.75), ylim=(-1.4, 1.45), aspect="equal")
     axis.set_axis_off()
@@ -118,9 +124,9 @@ def hue_wheel(low: int, high: int) -> Figure:
 
 
 def pinhole_above(focal: float, offset: float) -> Figure:
-    """Draw the pinhole model from above.
+    """Draw the pinhole model from above, with a ball to the right, and the triangle that determines its angle.
 
-    It shows a ball `offset` pixels to the right, and the triangle that determines its angle.
+    `focal`: the focal length in pixels. `offset`: how many pixels the ball's image is away from the center.
     """
     fig, axis = figure(6.6, 3.0)
     axis.set(xlim=(-2.2, 3.6), ylim=(-1.25, 1.3), aspect="equal")

@@ -65,7 +65,7 @@ class Canvas:
         return encode(np.asarray(self._renderer.buffer_rgba()), dots_per_pixel=self.scale)
 
     def path(self, path: Path, paint: Paint, *, at: Affine2D | None = None) -> None:
-        """Draw any path. `at` transforms it."""
+        """Draw any path, transformed by `at`."""
         pen = self._pen
         pen.set_linewidth(paint.width * self.scale if paint.stroke else 0.0)
         pen.set_foreground(rgba(paint.stroke or GREY, paint.alpha), isRGBA=True)
@@ -83,16 +83,19 @@ class Canvas:
         self.path(Path([*corners, corners[0]], closed=True), paint)
 
     def line(self, points: Iterable[Point], paint: Paint = GREY_LINE) -> None:
-        """Draw an open line through the points, with round ends; gray if the paint has no stroke."""
+        """Draw an open line through the points, with round ends. It's gray if the paint has no stroke."""
         self.path(Path(list(points)), _stroked(paint))
 
     def curve(self, start: Point, pull: Point, push: Point, end: Point, paint: Paint = GREY_LINE) -> None:
-        """Draw a Bézier curve from `start` to `end`; gray if the paint has no stroke."""
+        """Draw a Bézier curve from `start` to `end`. It's gray if the paint has no stroke.
+
+        `pull` and `push` are the control points.
+        """
         codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4]
         self.path(Path([start, pull, push, end], codes), _stroked(paint))
 
     def disc(self, center: Point, radius: float, paint: Paint, *, flat: float = 1.0) -> None:
-        """Draw a disc, or an ellipse `flat` times as high as it is wide."""
+        """Draw a disc of this radius, or an ellipse whose height is `flat` times its width."""
         place = Affine2D.from_values(radius, 0, 0, radius * flat, *center)
         self.path(_CIRCLE, paint, at=place)
 
@@ -110,7 +113,7 @@ class Canvas:
         self.path(capsule(start, end, start_radius, end_radius), paint)
 
     def text(self, at: Point, words: str, font: Font = PLAIN_TEXT, *, align: Align = "left") -> None:
-        """Draw one line of text, with `at` on its baseline."""
+        """Draw one line of text. `at` lies on the baseline."""
         if not words:
             return
         outline, length = _outline(words, font.size, font.bold)
@@ -129,7 +132,7 @@ def text_width(words: str, size: float = 12.0, *, bold: bool = False) -> float:
 
 
 def shorten(words: str, room: float, size: float = 12.0, *, bold: bool = False) -> str:
-    """Return the text, cut off with an ellipsis so that it fits into `room` pixels."""
+    """Return the text, cut off with an ellipsis if it doesn't fit into `room` pixels."""
     if text_width(words, size, bold=bold) <= room:
         return words
     while words and text_width(words + "…", size, bold=bold) > room:

@@ -1,4 +1,4 @@
-"""Draw an egg between two fingers that close until they receive a stop: the effect of a delayed reaction."""
+"""Draw an egg between two closing fingers, to show how a delayed stop breaks it."""
 
 from collections.abc import Mapping
 
@@ -8,9 +8,9 @@ from workbook.pictures.palette import GREEN, GREY, RED
 from workbook.pictures.stills import Still
 
 SPEED_MM_S = 100.0
-"""The closing speed of the two fingers together."""
+"""The speed at which the gap between the two fingers closes."""
 BREAKS_AT_MM = 2.0
-"""The shell breaks if squeezed by more than this."""
+"""The shell breaks if the fingers squeeze it by more than this."""
 PER_SECOND = 8.0
 _WIDTH, _HEIGHT, _MIDDLE = 330.0, 240.0, 112.0
 _RADIUS = 46.0
@@ -19,15 +19,19 @@ _BEFORE_MS, _AFTER_MS, _STEP_MS = 8, 14, 2
 
 
 def squeezed_mm(late_ms: float, after_touch_ms: float) -> float:
-    """Return how far (mm) the fingers have squeezed the egg at this time after the touch.
+    """Return how far (mm) the fingers have squeezed the egg by the given time (ms) after the touch.
 
-    They stop `late_ms` after the touch.
+    The fingers stop `late_ms` after the touch.
     """
     return SPEED_MM_S * max(0.0, min(late_ms, after_touch_ms)) / 1000
 
 
 def squeeze(late_ms: Mapping[str, float], description: str) -> Still:
-    """Draw eggs next to each other, in slow motion. `late_ms`: by name, the delay (ms) of the touch's report."""
+    """Show in slow motion how two fingers squeeze each of several eggs, which are next to each other.
+
+    `late_ms`: for each egg, by its title, the delay (ms) after which the fingers stop. `description` is the alternative
+    text.
+    """
     last = round(max(late_ms.values())) + _AFTER_MS
     frames = []
     for now in range(-_BEFORE_MS, last, _STEP_MS):

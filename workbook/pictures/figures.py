@@ -1,4 +1,4 @@
-"""Style the lessons' matplotlib figures: transparent background, readable on light and dark pages."""
+"""Style the lessons' matplotlib figures: a transparent background, and readable on light and dark pages."""
 
 import io
 import sys
@@ -20,7 +20,7 @@ from workbook.pictures.png import Pixels, encode_faithfully
 from workbook.pictures.stills import Still
 
 DOTS_PER_INCH = 192
-"""96 page pixels per inch, drawn with two dots per pixel."""
+"""The resolution of figures: 96 page pixels per inch, drawn with two dots per pixel."""
 
 LOOK: Any = {
     "figure.facecolor": "none",
@@ -45,16 +45,17 @@ LOOK: Any = {
 
 
 def style() -> AbstractContextManager[None]:
-    """Apply the lessons' style to figures drawn inside: `with pictures.style(): fig, ax = plt.subplots()`."""
+    """Apply the lessons' style to all figures in a `with` block.
+
+    For example: `with pictures.style(): fig, ax = plt.subplots()`.
+    """
     return matplotlib.rc_context(LOOK)
 
 
 def figure(width: float = 6.4, height: float = 3.0, rows: int = 1, columns: int = 1) -> tuple[Figure, Any]:
-    """Return a figure in the lessons' style, and its axes (an array if there are several).
+    """Return a new figure in the lessons' style, and its axes (an array if there are several).
 
-    Its size is `width` by `height` inches.
-
-    It doesn't use pyplot, so it's neither shown twice nor kept alive.
+    `width` and `height` are in inches. The figure doesn't use pyplot, so it's neither shown twice nor kept in memory.
     """
     with style():
         fig = Figure(figsize=(width, height), layout="constrained")
@@ -73,7 +74,10 @@ def render(fig: Figure) -> bytes:
 
 
 class _Drawn(io.BytesIO):
-    """A file for matplotlib's "rgba" format, which is written in one piece. `pixels`: shape (height, width, 4)."""
+    """A file-like object for matplotlib's "rgba" format, which is written in one piece.
+
+    `pixels` has the shape (height, width, 4).
+    """
 
     pixels: Pixels
 
@@ -83,7 +87,7 @@ class _Drawn(io.BytesIO):
 
 
 def still(picture: Figure | bytes, description: str) -> Still:
-    """Return a matplotlib figure or PNG bytes as a still with alternative text."""
+    """Return a matplotlib figure or PNG bytes as a still. `description` is its alternative text."""
     if isinstance(picture, bytes):
         return Still(picture, description)
     png = render(picture)
@@ -94,7 +98,7 @@ def still(picture: Figure | bytes, description: str) -> Still:
 
 
 def show(picture: Figure | bytes, description: str) -> None:
-    """Show a matplotlib figure or PNG bytes in the cell, with alternative text."""
+    """Show a matplotlib figure or PNG bytes in the cell. `description` is the alternative text."""
     from IPython.display import display
 
     display(still(picture, description))

@@ -1,4 +1,4 @@
-"""Make short films from frames, for pages and notebooks. They need no script."""
+"""Make short films from frames, for pages and notebooks. They play without scripts."""
 
 import io
 from collections.abc import Sequence
@@ -6,16 +6,16 @@ from collections.abc import Sequence
 from PIL import Image
 
 EFFORT = 30
-"""Of 100. A higher value hardly shrinks the file, but takes longer."""
+"""The effort of the WebP encoder, out of 100. A higher value hardly shrinks the file, but takes longer."""
 COLORS = 128
-"""In an animated PNG: enough for drawings, which have few colors and smooth edges."""
+"""The number of colors in an animated PNG: enough for drawings, which have few colors and smooth edges."""
 LAST_MS = 2500
-"""How long an animated PNG shows its last frame before it starts again."""
+"""How long (ms) an animated PNG shows its last frame before it starts again."""
 PHOTO_QUALITY = 55
 
 
 def film(pictures: Sequence[bytes], *, per_second: float, exact: bool = True) -> bytes:
-    """Return an animated WebP from PNG frames of one size. It plays once, and stays on its last frame.
+    """Return an animated WebP made of PNG frames of the same size. It plays once, and stops at its last frame.
 
     `exact`: keep every pixel unchanged, which suits drawings. Without it, camera images take much less space. Raises
     ValueError if there are no frames.
@@ -46,9 +46,7 @@ def moving_png(
     per_second: float = 8.0,
     durations_ms: Sequence[int] | None = None,
 ) -> bytes:
-    """Return an animated PNG, which also moves where a code page shows a notebook.
-
-    It plays in a loop.
+    """Return an animated PNG, which plays in a loop, also on code-hosting sites that show the notebook.
 
     All frames share 128 colors, and only changed pixels are stored. `durations_ms`: how long to show each frame;
     without it, `per_second` frames are shown per second. Raises ValueError if there are no frames.

@@ -1,4 +1,4 @@
-"""Draw a ROS graph: nodes and topics as boxes, an arrow for each publisher and subscription."""
+"""Draw a ROS graph: nodes and topics as boxes, and an arrow for each publisher and subscription."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -128,7 +128,7 @@ def _directed(boxes: list[_Box], pairs: _Pairs) -> tuple[_Pairs, _Pairs]:
 
 
 def _place(boxes: list[_Box], forward: _Pairs) -> tuple[float, float]:
-    """Arrange the boxes in layers from left to right, sorted by their neighbors' positions. Return width and height."""
+    """Arrange the boxes in layers from left to right, sorted by their neighbors' positions. Return the total size."""
     for start, end in forward:
         start.after.append(end)
         end.before.append(start)

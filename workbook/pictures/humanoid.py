@@ -30,16 +30,18 @@ Lamp = Literal["operational", "error"]
 
 WIDTH, HEIGHT, PANEL = 420, 420, TABLE_WIDTH
 SCALE = 1.5
-"""Dots per pixel: sharp enough, and fast enough for twenty frames per second."""
+"""Dots per page pixel: sharp enough, and fast enough for twenty frames per second."""
 DESCRIPTION = "humanoid, 12 joints"
 
 GROUND = 388.0
-"""The ground's distance from the upper edge (px)."""
+"""The ground's distance from the image's upper edge (px)."""
 GLANCE, GLANCE_REACH = (4.0, 2.0), 60.0
-"""The eyes' largest shift, sideways and up, and the height of a hand above its shoulder that nearly causes it."""
+"""The eyes' largest shift, sideways and up, and the height of a hand above its shoulder that causes three quarters of
+it.
+"""
 STEM_FROM, STEM_TO = 82.0, 22.0
 NECK_BENDS = "neck bends"
-"""Between the chest and the head, the neck bends by part of the head's angle."""
+"""The name of the bend between the chest and the head, where the neck turns by part of the head's angle."""
 _SHELL, _SHADE, _DARK, _VISOR = "#eef2f7", "#cdd7e3", "#4c5a69", "#1b2733"
 _EYES, _ANGRY, _DIM = "#7fd0ff", "#ffb3a1", "#9aa7b5"
 _LINE = 2.2
@@ -58,9 +60,9 @@ def draw(
 ) -> bytes:
     """Draw the humanoid at twelve joint angles (rad, in the order of JOINT_NAMES), and return PNG bytes.
 
-    `lamp` lights the lamp on its chest, `caption` is a line under its feet, and `panel` adds a table of the twelve
-    values. `scale` is the dots per pixel: more is sharper on a high-resolution screen, but slower. Raises ValueError,
-    worded for the sender, unless there are twelve finite angles.
+    `lamp`: the state of the lamp on its chest; None: off. `caption`: a line under its feet. `panel`: add a table of the
+    twelve values. `scale`: dots per pixel; more is sharper on a high-resolution screen, but slower. Raises ValueError,
+    with a message for the angles' sender, unless there are twelve finite angles.
     """
     pose = checked(angles)
     canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT, scale)
@@ -94,7 +96,7 @@ def snores(canvas: Canvas) -> None:
 
 
 def on_picture(point: Point) -> Point:
-    """Return a skeleton point's position in the image."""
+    """Convert a skeleton point to its position (px) in the image."""
     return (WIDTH / 2 + point[0], GROUND - point[1])
 
 
@@ -116,7 +118,7 @@ def _robot(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool 
 class Part(NamedTuple):
     """A rigid part of the figure: how it's drawn, and the joints that turn it, from the body outward.
 
-    `glance` is the share (x, y) of the eyes' shift that it follows, from 0 to 1.
+    When the eyes shift, the part moves by the share `glance` (x, y) of that shift, from 0 to 1.
     """
 
     name: str
@@ -126,7 +128,7 @@ class Part(NamedTuple):
 
 
 def parts(figure: Skeleton, lamp: Lamp | None, *, asleep: bool = False) -> Iterator[Part]:
-    """Yield the parts in drawing order, each on top of the previous ones."""
+    """Yield the figure's parts in drawing order, each on top of the previous ones."""
     chest, head = ("waist",), ("waist", "neck")
     for leg in figure.legs:
         hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))

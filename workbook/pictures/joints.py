@@ -54,7 +54,7 @@ PELVIS_RADIUS, CHEST, NECK, HEAD = 26.0, 92.0, 16.0, 84.0
 SHOULDER_OUT, SHOULDER_UP, HIP_OUT, WAIST_UP = 57.0, 74.0, 25.0, 12.0
 FOOT_INNER, FOOT_OUTER = 20.0, 27.0
 SWAY = -0.5 * (CHEST + NECK)
-"""The hips' sideways shift when the body leans, per sine of the lean angle."""
+"""The hips shift sideways by this times the sine of the angle at which the body leans."""
 
 
 def pose(**angles: float) -> Angles:
@@ -116,7 +116,7 @@ def walking(t: float) -> Angles:
 def checked(angles: Iterable[float]) -> Angles:
     """Return the twelve angles as floats.
 
-    Raises ValueError, worded for the sender, unless there are twelve angles and all are finite numbers.
+    Raises ValueError, with a message for the angles' sender, unless there are twelve angles and all are finite numbers.
     """
     try:
         values = list(angles)
@@ -144,9 +144,10 @@ def checked(angles: Iterable[float]) -> Angles:
 
 @dataclass(frozen=True)
 class Limb:
-    """An arm or a leg: its joints from the body outward, and the outward angle of each part and the tip (rad).
+    """An arm or a leg: the points of its joints from the body outward, and the outward angles (rad) of its parts.
 
-    `side` is +1 for the robot's left (on the right of the figure) and -1 for its right.
+    `side` is +1 for the robot's left (on the right of the figure) and -1 for its right. `tip` is the outward angle of
+    the hand or foot.
     """
 
     side: int
@@ -159,7 +160,7 @@ class Limb:
 
     @property
     def word(self) -> str:
-        """The side of the robot that the limb is on."""
+        """The side of the robot that the limb is on: "left" or "right"."""
         return "left" if self.side > 0 else "right"
 
 
@@ -176,11 +177,11 @@ class Skeleton:
     legs: tuple[Limb, Limb]
 
     def on_torso(self, x: float, y: float) -> Point:
-        """Return a point given in the torso's own frame: from the waist, x to your right and y toward the neck."""
+        """Convert a point from the torso's frame: its origin is the waist; x points to your right, y to the neck."""
         return _turned(self.waist, self.lean, x, y)
 
     def on_head(self, x: float, y: float) -> Point:
-        """Return a point given in the head's own frame: from the neck, y toward the crown."""
+        """Convert a point from the head's frame: the origin is the neck, and y points toward the crown."""
         return _turned(self.neck, self.lean + self.tilt, x, y)
 
 
@@ -210,15 +211,16 @@ def skeleton(angles: Sequence[float]) -> Skeleton:
 
 
 def foot(leg: Limb, x: float, y: float) -> Point:
-    """Return a point on a foot: from the ankle, x outward along the sole, y away from the sole."""
+    """Convert a point from a foot's frame: the origin is the ankle, x points outward along the sole, y away from it."""
     cos, sin = math.cos(leg.tip), math.sin(leg.tip)
     return (leg.end[0] + leg.side * (x * cos - y * sin), leg.end[1] + x * sin + y * cos)
 
 
 def touching(figure: Skeleton) -> Iterator[tuple[tuple[str, ...], Point, float]]:
-    """Yield candidates for the lowest point.
+    """Yield candidates for the figure's lowest point.
 
-    Each has the joints that turn it, from the body outward, a point, and how far it extends below that point.
+    Each consists of the joints that turn the point, from the body outward; the point; and how far the figure extends
+    below it.
     """
     for leg in figure.legs:
         hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))
@@ -246,8 +248,8 @@ def blend(start: Sequence[float], end: Sequence[float], part: float) -> Angles:
 class Follower:
     """Glides from each pose to the next, like a servo, so that even poses that arrive every 2 s lead to smooth motion.
 
-    Call `aim(angles, now)` when a message arrives, and `angles(now)` for each frame. `now` is in s, on any steady
-    clock. A new aim is reached after `ease` seconds.
+    Call `aim(angles, now)` when a message arrives, and `angles(now)` for each frame. `now` is the time in seconds on
+    any steady clock. The follower reaches a new aim after `ease` seconds.
     """
 
     def __init__(self, ease: float = 0.8, start: Iterable[float] = NEUTRAL) -> None:
@@ -256,17 +258,17 @@ class Follower:
         self._since = -math.inf
 
     def aim(self, angles: Iterable[float], now: float) -> None:
-        """Move toward these angles. If they can't be drawn, raise ValueError and keep the previous aim."""
+        """Start to move toward these angles (rad). If they aren't valid, raise ValueError and keep the previous aim."""
         aim = checked(angles)
         self._from, self._to, self._since = self.angles(now), aim, now
 
     @property
     def aimed(self) -> Angles:
-        """The angles that it's moving toward (rad)."""
+        """The angles of the current aim (rad)."""
         return self._to
 
     def angles(self, now: float) -> Angles:
-        """Return the angles at this moment (rad)."""
+        """Return the angles at the time `now` (rad)."""
         part = 1.0 if self.ease <= 0 else min(1.0, max(0.0, (now - self._since) / self.ease))
         return self._to if part >= 1.0 else blend(self._from, self._to, part * part * (3 - 2 * part))
 

@@ -1,7 +1,7 @@
 """Show a moving figure in a notebook cell, where its last frame remains as a still.
 
-Everything runs in the kernel's one thread. Frames are drawn while a cell awaits `animate`; ROS callbacks, widgets,
-and other tasks run in between. Stop ends the figure, and leaves the last frame on the page.
+Everything runs in the kernel's one thread. Frames are drawn while a cell awaits `animate`; ROS callbacks, widgets, and
+other tasks run in between. Stop ends the animation, and leaves the last frame on the page.
 """
 
 import asyncio
@@ -30,7 +30,8 @@ class Screen(Protocol):
 class CellOutput:
     """The output area of the running cell: one figure, replaced in place.
 
-    While the figure moves, each frame is sent once. `finish` leaves the last frame in all the formats of a still.
+    While the figure moves, each new frame is sent only as HTML. `finish` sends the last frame in all the formats of a
+    still.
     """
 
     def __init__(self) -> None:
@@ -55,7 +56,7 @@ class CellOutput:
 
 
 class LiveFigure:
-    """A figure on the page that each `show(png)` replaces.
+    """A figure on the page. Each `show(png)` replaces its frame.
 
     `describe` is the alternative text, which is the same for every frame.
     """
@@ -77,14 +78,14 @@ class LiveFigure:
         self.frames += 1
 
     def finish(self) -> None:
-        """Leave the last frame as the cell's still."""
+        """Leave the last frame in the cell as a still."""
         if self.still is not None:
             self._screen.finish(self.still)
 
 
 @dataclass(frozen=True, repr=False)
 class LiveStill(Still):
-    """The last frame of a live figure, with measurements.
+    """The last frame of a live figure, and how fast the frames were shown.
 
     `frames` were shown in `seconds` of real time. `stopped` is True if the figure was stopped early.
     """
@@ -117,11 +118,11 @@ async def animate(
 ) -> LiveStill:
     """Show the PNG that `frame()` returns, up to `fps` times per second, for `seconds` of real time.
 
-    `frame` returns None if nothing has changed, so that the last frame stays. It may let waiting ROS callbacks run, but
-    it must not block. A busy machine shows fewer frames, but never falls behind. Stop (the cell is interrupted, the
-    task canceled) ends the animation early, without an error, and the code after it continues.
+    `frame` returns None if nothing has changed, and then the previous frame stays. It may let waiting ROS callbacks
+    run, but it must not block. A busy machine shows fewer frames, but they don't lag. If the cell is interrupted (Stop)
+    or the task canceled, the animation ends early without an error, and the code after it continues.
 
-    Returns the last frame, with the true `frames_per_second`. Raises ValueError for a rate or time that isn't positive,
+    Returns the last frame, with the true `frames_per_second`. Raises ValueError if `seconds` or `fps` isn't positive,
     and RuntimeError if `frame` always returned None.
     """
     if not fps > 0 or not seconds > 0:
@@ -148,9 +149,9 @@ async def animate(
 async def _show_frames(
     figure: LiveFigure, frame: Callable[[], bytes | None], end: float, period: float
 ) -> bool:
-    """Show frames until `end`, on the clock of `time.perf_counter`. Return whether the figure was stopped early.
+    """Show frames until the time `end` of `time.perf_counter()`. Return whether the figure was stopped early.
 
-    A Stop before the first frame is passed on.
+    A Stop before the first frame raises an exception, as usual.
     """
     due = now = time.perf_counter()
     try:

@@ -1,9 +1,9 @@
-"""Draw the path between DDS and a callback at one moment, always in the same way.
+"""Draw the path from DDS to the callbacks at one moment, in the same way in all lessons.
 
 The parts are queues, wait set, executor, and callbacks.
 
-Each source has a row: a subscription, client, or service has a queue, and a timer has room for one tick. Arrived
-items are blue, lost ones red, a running callback green, and one that has been busy for long amber.
+Each source of callbacks has a row: a subscription, client, or service has a queue, and a timer has room for one tick.
+Arrived items are blue, and lost ones red. A running callback is green, or amber if it has been busy for long.
 """
 
 from dataclasses import dataclass
@@ -16,11 +16,11 @@ WIDTH = 760.0
 TOP, ROW, BOTTOM = 26.0, 64.0, 52.0
 SCALE = 1.5
 SLOTS = 10
-"""The number of queue slots that are drawn. If more items wait, only their number is shown."""
+"""The number of queue slots that are drawn. If the queue is deeper, the other items are only counted."""
 LONG_S = 0.15
-"""A callback that is busy for longer than this is drawn in amber, with its time."""
+"""A callback that has been busy for longer than this is drawn in amber, with its time."""
 JUST_S = 0.03
-"""Items that arrived or were lost within this time are marked as new."""
+"""Items that arrived or were lost less than this long ago are marked as new."""
 DDS, QUEUE_END, WAIT_SET, EXECUTOR, CALLBACK = (
     (6.0, 72.0),
     326.0,
@@ -28,10 +28,10 @@ DDS, QUEUE_END, WAIT_SET, EXECUTOR, CALLBACK = (
     (448.0, 112.0),
     (588.0, 166.0),
 )
-"""The positions of the columns: left edge and width, and for the queues, only their front."""
+"""The positions of the columns: left edge and width, but for the queues, only the position of their front."""
 SLOT, RADIUS = 22.0, 9.5
 PALE, DARK = "#d6e6fa", "#173a66"
-"""For an item's face, and for its number."""
+"""The colors of an item's face and of its number."""
 HEAD, SMALL, PLAIN = Font(size=12, bold=True), Font(size=10.5), Font(size=11.5)
 FRAME = Paint(stroke=GREY, width=1.4)
 UNUSED = Paint(stroke=GREY, width=1.4, dash=(4, 4), alpha=0.7)
@@ -40,7 +40,7 @@ QUIET = Paint(stroke=GREY, width=1.2, alpha=0.5)
 
 @dataclass(frozen=True)
 class Instant:
-    """A moment in a recording (s), a sentence about the event, and how long the frame is shown (ms)."""
+    """A moment in a recording: its time (s), a sentence about the event, and how long the frame is shown (ms)."""
 
     t: float
     words: str
@@ -53,7 +53,7 @@ def height_of(recording: MachineRecording) -> float:
 
 
 def draw(recording: MachineRecording, moment: Instant) -> bytes:
-    """Draw the machine at this moment, and return PNG bytes."""
+    """Draw a recording at one moment, and return PNG bytes."""
     canvas = Canvas(WIDTH, height_of(recording), SCALE)
     _columns(canvas, recording, moment.t)
     running = recording.running(moment.t)
@@ -88,7 +88,7 @@ def _columns(canvas: Canvas, recording: MachineRecording, now: float) -> None:
 
 
 def _wires(canvas: Canvas, recording: MachineRecording, place: int, now: float) -> None:
-    """Draw the row's DDS box or clock, and the lines along which items travel."""
+    """Draw the DDS box of a row, or its clock, and the lines along which items travel."""
     middle, source = _middle(place), recording.sources[place]
     left, width = DDS
     if source.kind == "timer":
@@ -138,7 +138,7 @@ def _queue(canvas: Canvas, recording: MachineRecording, place: int, now: float) 
 
 
 def _losses(canvas: Canvas, source: Source, lost: list[Item], y: float, now: float) -> None:
-    """Draw the number of items that a source has lost, and next to it an item that was lost just now."""
+    """Draw how many items a source has lost and, next to that number, an item that was lost just now."""
     if not lost:
         return
     words = f"✗ {len(lost)} {'missed' if source.kind == 'timer' else 'thrown away'}"
@@ -172,7 +172,7 @@ def _number(canvas: Canvas, center: Point, number: int, source: Source) -> None:
 def _lamp(canvas: Canvas, recording: MachineRecording, place: int, now: float) -> None:
     """Draw the lamp in the wait set: filled if this row has a ready item.
 
-    It's replaced by a line if the executor doesn't wait for this row.
+    If the executor doesn't wait on this row, draw a line instead.
     """
     center = (WAIT_SET[0] + WAIT_SET[1] / 2, _middle(place) + 1)
     asked = recording.waits_for(now)
@@ -186,7 +186,7 @@ def _lamp(canvas: Canvas, recording: MachineRecording, place: int, now: float) -
 
 
 def _executor(canvas: Canvas, recording: MachineRecording, running: list[Call], now: float) -> None:
-    """Draw the executor's threads, each with its activity."""
+    """Draw the executor's threads, and whether each is running a callback."""
     left, width = EXECUTOR
     middle = TOP + ROW * len(recording.sources) / 2
     active = [one for one in running if not one.is_paused(now)]
@@ -237,7 +237,7 @@ def _callback(canvas: Canvas, source: Source, middle: float, running: list[Call]
 
 
 def _foot(canvas: Canvas, recording: MachineRecording, moment: Instant) -> None:
-    """Draw the clock, the progress of the recording, and the current event."""
+    """Draw the line below the rows: the clock, the recording's progress, and the current event."""
     y = height_of(recording) - 34
     left, right = DDS[0] + 66, CALLBACK[0] + CALLBACK[1]
     canvas.text((DDS[0], y + 4), f"{moment.t:.2f} s", HEAD)

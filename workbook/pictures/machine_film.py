@@ -1,4 +1,4 @@
-"""Play back a recording of the machine: choose the moments, describe each, and make the film.
+"""Make a film of a recorded machine: choose the moments, describe each, and draw the frames.
 
 Time is stretched: ten callbacks within a millisecond get a frame each, but a second without changes gets only a few.
 The clock in each frame shows the recorded time.
@@ -20,19 +20,22 @@ from workbook.recording.machine import Call, Item, MachineRecording
 from workbook.templating import render
 
 SOON_S = 0.02
-"""A tick that is served within this time gets no separate frame: only its callback does."""
+"""A tick that is served within this time gets no separate frame; only its callback does."""
 LOOK_S = 0.25
-"""If nothing new happens, there is a frame this often."""
+"""While nothing new happens, there is a frame about this often."""
 SHORTEST_MS, LONGEST_MS, LAST_MS = 320, 700, 2500
 MOST = 64
-"""The most frames in a film."""
+"""The largest number of frames in a film. Later moments are left out."""
 STEPS = 6
 """The number of frames in the column for readers who prefer no motion."""
 
 
 @dataclass(frozen=True, repr=False)
 class MovingMachine(Still):
-    """A film of the machine. For readers who prefer no motion, it has its fullest frame and a column of frames."""
+    """A film of the machine, with stills for readers who prefer no motion.
+
+    `still` is the film's fullest frame, and `steps` is a column of six frames.
+    """
 
     still: bytes = b""
     steps: bytes = b""
@@ -73,13 +76,13 @@ def play(
 
 
 def _busy(recording: MachineRecording, now: float) -> int:
-    """Return how many items wait and how many callbacks run at a moment."""
+    """Return how many items wait, plus how many callbacks run, at the time `now` (s)."""
     waiting = sum(len(recording.waiting(place, now)) for place in range(len(recording.sources)))
     return waiting + len(recording.running(now))
 
 
 def moments(recording: MachineRecording, begin: float, end: float) -> list[Instant]:
-    """Return the moments that get a frame, in order, at most 64."""
+    """Return the moments that get a frame, in order. If there are more than 64, return the first 64."""
     found = [one for one in sorted(_events(recording)) if begin <= one[0] <= end]
     told = [(begin, ""), *found, (end, "")]
     filled: list[tuple[float, str]] = []
@@ -160,7 +163,7 @@ def _meanwhile(recording: MachineRecording, now: float) -> str:
 
 
 def _one_below_another(frames: Sequence[bytes]) -> bytes:
-    """Arrange frames of one size in a column, in the colors of a drawing."""
+    """Arrange frames of one size in a column, reduced to the few colors of a drawing. Return PNG bytes."""
     pictures = [Image.open(io.BytesIO(frame)).convert("RGBA") for frame in frames]
     width, height = pictures[0].size
     sheet = Image.new("RGBA", (width, height * len(pictures)))

@@ -9,17 +9,20 @@ from workbook.pictures.palette import BLUE, GREY, RED, rgba
 from workbook.pictures.png import encode
 
 TINY_WIDTH, TINY_HEIGHT = 240, 18
-"""In pixels: as high as a line of text."""
+"""The size of a tiny timeline in pixels. It's as tall as a line of text."""
 TINY_SCALE = 2
 """Dots per pixel, for high-resolution screens."""
 GAP = 1.5
-"""There is a gap between two messages that are more than this many periods apart."""
+"""The time between two messages is a gap if it's longer than this many periods."""
 
 
 def gaps(
     times: Sequence[float], period: float, start: float | None = None, end: float | None = None
 ) -> list[tuple[float, float]]:
-    """Return the spans (s) longer than 1.5 periods without a mark, including those at either bound."""
+    """Return the spans (start and end in s) without a mark that are longer than 1.5 periods.
+
+    They include spans between a bound (`start` or `end`) and the nearest mark.
+    """
     edges = [*([] if start is None else [start]), *sorted(times), *([] if end is None else [end])]
     return [(a, b) for a, b in pairwise(edges) if b - a > GAP * period + 1e-9]
 
@@ -31,9 +34,9 @@ def tiny(
     start: float = 0.0,
     period: float | None = None,
 ) -> bytes:
-    """Draw a timeline as high as a line of text, for a card, and return PNG bytes.
+    """Draw a timeline for a card, as tall as a line of text, and return PNG bytes.
 
-    Its marks are blue, and gaps are red.
+    Marks are blue, and gaps are red.
     """
     pixels = np.zeros((TINY_HEIGHT * TINY_SCALE, TINY_WIDTH * TINY_SCALE, 4), np.uint8)
     height, width = pixels.shape[:2]

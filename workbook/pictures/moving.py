@@ -1,4 +1,4 @@
-"""Play back recordings as moving figures, without a running program: marks on lines, and robots."""
+"""Play recordings back as moving figures, without a running program: marks on lines, and robots."""
 
 import io
 import math
@@ -19,7 +19,7 @@ from workbook.pictures.timeline import Row, draw
 PER_SECOND = 8.0
 """Frames per second of real time."""
 STEPS = 12
-"""Poses in one wave of the hand. A robot moves to the next one at each of its beats."""
+"""The number of poses in one wave of the hand. At each of its beats, a robot moves to the next pose."""
 _SCALE = 0.66
 _PIXELS = round(humanoid.WIDTH * _SCALE)
 
@@ -28,7 +28,7 @@ _PIXELS = round(humanoid.WIDTH * _SCALE)
 class Robot:
     """A robot in a film: its name, its heartbeats (s), and the text below it while it stands still.
 
-    `period`: the planned time (s) between beats. A robot whose beat is late by another period stands still.
+    `period`: the planned time (s) between beats. If a beat is late by another period, the robot stands still.
     """
 
     name: str
@@ -40,7 +40,10 @@ class Robot:
 def played_back(
     rows: Sequence[Row], description: str, *, end: float, pace: float = 1.0, title: str = ""
 ) -> Still:
-    """Draw a timeline's rows as time passes from 0 s to `end` (s). `pace`: recorded seconds per second of film."""
+    """Draw a timeline's rows as a film, in which time passes from 0 s to `end` (s).
+
+    `pace`: recorded seconds per second of film. `description`: the alternative text. `title` is shown above.
+    """
     frames = []
     counted = [row if row.note is not None else replace(row, note="") for row in rows]
     for now in moments(end, pace):
@@ -50,7 +53,10 @@ def played_back(
 
 
 def robots(those: Sequence[Robot], description: str, *, end: float, pace: float = 1.0) -> Still:
-    """Draw robots next to each other. Each moves a little at each of its heartbeats, and stands still without one."""
+    """Draw a film of robots next to each other. Each moves a little at each heartbeat, and otherwise stands still.
+
+    Time passes from 0 s to `end` (s). `pace`: recorded seconds per second of film. `description`: the alternative text.
+    """
     poses: dict[tuple[int, bool], Image.Image] = {}
     frames = []
     for now in moments(end, pace):
@@ -72,13 +78,13 @@ def robots(those: Sequence[Robot], description: str, *, end: float, pace: float 
 
 
 def moments(end: float, pace: float) -> list[float]:
-    """Return the moments (s) of a film, from 0 to `end`."""
+    """Return the times (s) of a film's frames, from 0 to `end`."""
     count = max(2, round(end / pace * PER_SECOND))
     return [end * place / (count - 1) for place in range(count)]
 
 
 def is_late(robot: Robot, now: float) -> bool:
-    """Return whether a beat is overdue at this moment."""
+    """Return whether the robot's next beat is overdue at the time `now` (s)."""
     count = bisect_right(robot.beats, now)
     last = robot.beats[count - 1] if count else 0.0
     return now - last > 2 * robot.period
@@ -116,5 +122,8 @@ def _last(those: Sequence[Robot]) -> float:
 
 
 def by_name(beats: Mapping[str, Sequence[float]], period: float, trouble: str = "blocked") -> list[Robot]:
-    """Return a robot for each name, from a mapping of names to beats (s)."""
+    """Return a robot for each name in `beats`, which maps names to the times of heartbeats (s).
+
+    `period` and `trouble` are the same for all (see `Robot`).
+    """
     return [Robot(name, times, period, trouble) for name, times in beats.items()]

@@ -8,7 +8,7 @@ from workbook.pictures.joints import Follower
 
 
 class MovingRobot:
-    """Poses the figure by joint angles (rad); its lamp follows the status.
+    """Poses the figure by joint angles (rad), and lights its lamp by the status.
 
     `ease`: seconds from one pose to the next. `captions`: show problems in the figure, and not only in `words`.
     """
@@ -22,7 +22,7 @@ class MovingRobot:
         self._shown: object = None
 
     def pose(self, angles: Iterable[float]) -> None:
-        """Use a message's angles. If they aren't a valid pose, the figure shows the problem."""
+        """Move toward the angles in a message. If they aren't a valid pose, the figure shows the problem."""
         self.received += 1
         try:
             self._follower.aim(angles, time.monotonic())
@@ -49,9 +49,9 @@ class MovingRobot:
         }
 
     def frame(self) -> bytes | None:
-        """Return the current frame; None if it's the same as the previous one.
+        """Return the current frame as PNG bytes; None if it's the same as the previous one.
 
-        A robot that stands still costs nothing.
+        So nothing is drawn for a robot that stands still.
         """
         words = self.words
         angles = () if words else tuple(self._follower.angles(time.monotonic()))

@@ -1,4 +1,7 @@
-"""The only palette. Every color has a contrast of at least 4.2:1 to white and to JupyterLab's dark page (#111111)."""
+"""Define the palette of all drawings. Its colors have a contrast of at least 4.2:1 to white and to #111111.
+
+JupyterLab's dark page has the color #111111.
+"""
 
 GREEN = "#208a3c"
 RED = "#dc3b3b"
@@ -6,9 +9,13 @@ AMBER = "#b06a00"
 BLUE = "#2f78d0"
 GREY = "#787878"
 TEXT = "#737373"
-"""Text in a figure: 4.7:1 on white. No color also has 4.5:1 on a dark page, so dark pages brighten their figures."""
+"""The color of text in a figure, with a contrast of 4.7:1 on white. No color also reaches 4.5:1 on a dark page, so dark
+pages brighten their figures.
+"""
 BRIGHTER_IN_THE_DARK = 1.3
-"""The factor for `filter: brightness()`: JupyterLab's dark theme (`lab/front_end/panel/contrast.css`) and pages."""
+"""The factor by which dark pages brighten figures, with the CSS filter `brightness()`. In JupyterLab,
+`lab/front_end/panel/contrast.css` does so.
+"""
 
 CYCLE = (BLUE, AMBER, GREEN, RED, GREY)
 """The order in which a plot's lines take their colors."""

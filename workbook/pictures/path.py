@@ -1,4 +1,4 @@
-"""Compute and draw the path of a robot on the floor that follows velocity commands."""
+"""Compute and draw the path on the floor of a robot that follows velocity commands."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -12,7 +12,7 @@ Points = tuple[list[float], list[float]]
 
 
 def path_of(twists: Iterable[Mapping[str, Any]], period_s: float = 0.1) -> Points:
-    """Return the robot's path if it follows each command for `period_s` seconds. It starts facing along x.
+    """Return the path of a robot that follows each command for `period_s` seconds. It starts at (0, 0), facing along x.
 
     `twists`: Twist messages as mappings, with linear x in m/s and angular z in rad/s.
     """

@@ -13,22 +13,23 @@ from workbook.templating import render
 Pixels = npt.NDArray[np.uint8]
 
 UNSEEN = 24
-"""By how much (of 255) a pixel's channel may change at an edge without a visible difference."""
+"""The largest change of a pixel's channel, out of 255, that is invisible at an edge."""
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def encode(pixels: Pixels, *, dots_per_pixel: float = 1.0) -> bytes:
-    """Return RGBA pixels, shape (height, width, 4), as PNG bytes. Equal pixels yield equal bytes.
+    """Encode RGBA pixels of shape (height, width, 4) as a PNG, and return its bytes.
 
-    The colors are reduced to 256, which is invisible in drawings and makes the file four times smaller.
-    `dots_per_pixel` is stored in the file as its resolution: 2 for an image drawn at twice its size on screen.
+    The colors are reduced to 256, which is invisible in drawings and cuts the file to a quarter of its size. Equal
+    pixels give equal bytes. `dots_per_pixel` is stored in the file as its resolution: 2 for an image drawn at twice its
+    size on screen.
     """
     return _bytes(_in_few_colors(pixels), dots_per_pixel, compress_level=4)
 
 
 def encode_faithfully(pixels: Pixels, *, dots_per_pixel: float = 1.0) -> bytes:
-    """Encode like `encode`, but keep all colors if the difference would be visible (a photo, a color map)."""
+    """Encode like `encode`, but keep all colors if the difference would be visible, as in a photo or a color map."""
     drawn = _in_few_colors(pixels)
     shown = np.asarray(drawn.convert("RGBA"))
     changed = (shown != pixels).any(axis=2)
@@ -60,7 +61,7 @@ def _over_grey(pixels: Pixels) -> npt.NDArray[np.int16]:
 
 
 def size(png: bytes) -> tuple[int, int]:
-    """Return the width and height of a PNG in its own dots. Raises ValueError for anything else."""
+    """Return the width and height of a PNG in its own dots. Raises ValueError if the bytes aren't a PNG."""
     if png[:8] != SIGNATURE or png[12:16] != b"IHDR":
         raise ValueError("these bytes are not a PNG image")
     width, height = struct.unpack(">II", png[16:24])

@@ -1,7 +1,8 @@
 """Describe the figure as data for a page that animates it: shapes, the joints that turn them, and poses.
 
 The shapes are recorded while `humanoid` draws the robot with all joints at zero, so the stills and the moving figure
-can't differ. `front_end/panel/rig.js` turns the parts. `python -m workbook.authoring build` writes the file.
+can't differ. `front_end/panel/rig.js` turns the parts. `python -m workbook.authoring build` writes the file with this
+data.
 """
 
 import json
@@ -130,7 +131,10 @@ def _recorded(draw: Callable[[Canvas], None]) -> list[Shape]:
 
 
 def _turns(figure: Skeleton) -> dict[str, list[float]]:
-    """Return how each joint turns the parts beyond it: index in a message, angle for 1 rad, and center."""
+    """Return, for each joint, how it turns the parts beyond it.
+
+    The numbers are the joint's index in a message, the angle for 1 rad, and the center of rotation (x, y in px).
+    """
     points: dict[str, tuple[str, float, Point]] = {
         "neck": ("neck", 1.0, figure.neck),
         "waist": ("waist", 1.0, figure.waist),
@@ -152,7 +156,7 @@ def _turns(figure: Skeleton) -> dict[str, list[float]]:
 
 
 def _neck_share(figure: Skeleton) -> float:
-    """Return the share of the head's angle by which the neck turns around its lower end."""
+    """Return the share of the head's angle by which the neck's lower end turns."""
     upper = humanoid.STEM_TO
     return upper / (upper + math.dist(figure.neck, figure.on_torso(0.0, humanoid.STEM_FROM)))
 

@@ -12,7 +12,7 @@ MimeBundle = tuple[dict[str, str], dict[str, Any]]
 
 @dataclass(frozen=True)
 class Still:
-    """A PNG image with its description. JupyterLab shows it if it's the last value of a cell.
+    """A PNG image with its description. JupyterLab displays it if it's the value of a cell's last expression.
 
     The description is the alternative text. Keep measured numbers out of it, because notebook checks compare it.
     """

@@ -17,7 +17,7 @@ from workbook.recording.recording import Recording
 
 WIDTH = 680
 AS_DUE = 0.1
-"""A rate that is off by at most this share is reported as the required rate."""
+"""If a rate is off by at most this share, the description states the required rate instead."""
 
 _ROW, _TOP, _LEFT, _RIGHT = 40.0, 12.0, 16.0, 16.0
 _TITLE = 20.0
@@ -27,9 +27,9 @@ _TITLE = 20.0
 class Row:
     """One line of a timeline: a label and the times (s) of its marks.
 
-    `period` (s) is the required one: it determines the expected ticks and which gaps count. `start` and `end` bound the
-    time in which marks could be seen; outside it, nothing counts as missing. `note` is shown at the right of the line.
-    `color` is from the palette. The default is blue, because most marks are data.
+    `period` (s) is the required period, which determines the expected ticks and which gaps count. `start` and `end`
+    bound the time in which marks could be seen; outside of it, nothing counts as missing. `note` is shown at the right
+    of the line. `color` is from the palette. The default is blue, because most marks are data.
     """
 
     label: str
@@ -48,7 +48,7 @@ def timeline(
     topics: Sequence[str] | None = None,
     width: float = WIDTH,
 ) -> bytes:
-    """Draw a recording, and return PNG bytes: a row per topic, and a mark per arrival, over simulated time (s).
+    """Draw a recording, and return PNG bytes: a row per topic, with a mark per arrival, over simulated time (s).
 
     `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` selects and orders the rows; by
     default, these are all topics in `periods` or with a publisher. If the program ended by itself, its end is marked.
@@ -75,10 +75,11 @@ def strip(
     title: str = "",
     width: float = WIDTH,
 ) -> bytes:
-    """Draw marks on lines, and return PNG bytes: times (s) by label, such as the ticks of two timers.
+    """Draw a row of marks for each label, at the given times (s), and return PNG bytes.
 
-    `periods` (s, by label) adds the expected ticks, counted from the first mark, and shades gaps between marks. `noun`
-    names the marks in the plural, for the counts at the right. `title` is shown above.
+    The marks can be the ticks of two timers, for example. `periods` (s, by label) adds the expected ticks, counted from
+    the first mark, and shades gaps between marks. `noun` names the marks in the plural, for the counts at the right.
+    `title` is shown above.
     """
     asked = dict(periods or {})
     rows = [
@@ -100,8 +101,8 @@ def draw(
 ) -> bytes:
     """Draw rows over one time axis from `start` to `end` (s), and return PNG bytes.
 
-    Without `end`, the axis ends at the last mark. `now` (s) draws a vertical line there, for a film's frame. `title` is
-    shown above, and states the finding.
+    Without `end`, the axis ends at the last mark. `program_end` (s) marks the end of the program. `now` (s) draws a
+    vertical line at that time, for a film's frame. `title` is shown above, and states the finding.
     """
     last = max((t for row in rows for t in row.times), default=start)
     stop = end if end is not None else last
@@ -154,9 +155,10 @@ def histogram(
     bins: int = 24,
     width: float = 520,
 ) -> bytes:
-    """Draw how often each value occurs, and return PNG bytes. `target` is marked.
+    """Draw a histogram that shows how often each value occurs, and return PNG bytes. `target` is marked.
 
-    Mean, spread, and `title` are shown above. Values that aren't finite are ignored. Raises ValueError if none is left.
+    Mean, spread, and `title` are shown above. Values that aren't finite are ignored. Raises ValueError if no value is
+    left.
     """
     kept = [value for value in values if math.isfinite(value)]
     if not kept:
@@ -185,11 +187,11 @@ def histogram(
 
 
 def describe(recording: Recording, periods: Mapping[str, float] | None = None) -> str:
-    """Describe the timeline in words, as its alternative text.
+    """Describe the timeline in words, for use as its alternative text.
 
-    It names the topics, the measured and required rates, and whether there are gaps.
+    The text states the topics, the measured and required rates, and whether there are gaps.
 
-    If a rate is close to the required one, the text states the required rate. So the text is the same in every run of a
+    If a rate is close to the required one, the text states only the required rate. So it's the same in every run of a
     program that keeps its rates.
     """
     asked = dict(periods or {})
@@ -211,9 +213,9 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
 
 
 def _at_least(hz: float, step_s: float | None) -> str:
-    """Return "≥ " for a rate close to the rate of simulated time's steps (s), otherwise "".
+    """Return "≥ " if a rate is close to the rate of simulated time's steps, else "".
 
-    In that case, the true rate may be higher.
+    In that case, the true rate may be higher. `step_s`: the length of a step in seconds.
     """
     return "≥ " if step_s is not None and hz * step_s > 0.5 + 1e-6 else ""
 

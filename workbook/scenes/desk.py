@@ -32,16 +32,16 @@ FACES: tuple[tuple[tuple[Corner, ...], float], ...] = (
 )
 """The faces of a brick that can be seen from above: their corners (-1 or 1 along each axis) and brightness."""
 NEAREST_M = 0.1
-"""Surfaces nearer to the camera than this aren't painted."""
+"""Surfaces nearer to the camera than this aren't drawn."""
 RIM_CORNERS = 24
 NOISE_SPARE = 65_536
-"""An image's noise begins at one of this many places in a table, so two images hardly ever have equal noise."""
+"""An image's noise begins at one of this many places in a table, so two images rarely have equal noise."""
 
 
 class DeskCamera:
     """Renders images of scenes: RGB, uint8, shape (height, width, 3). The same seed and number give the same bytes.
 
-    `noise` is the standard deviation of each pixel's noise, in steps of 255.
+    `noise` is the standard deviation of each pixel's noise, on the scale from 0 to 255.
     """
 
     def __init__(self, pinhole: Pinhole, seed: int, noise: float = 4.0) -> None:
@@ -144,7 +144,7 @@ def _paint_face(picture: Picture, corners: list[tuple[float, float]], bright: fl
 def _rim(
     camera: Pinhole, at: tuple[float, float], height: float, radius: float, pan: float
 ) -> list[tuple[float, float]]:
-    """Return the pixels of a level circle `height` above the desk (m).
+    """Return points, in pixels, on a horizontal circle that lies `height` m above the desk.
 
     The list is empty if a part of the circle isn't in front of the camera.
     """
@@ -199,7 +199,7 @@ def _hull(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: float) -> None:
-    """Paint both arms at the angles of shoulders and elbows (rad): 0 hangs down, positive reaches forward."""
+    """Paint both arms in the pose `joints` (rad). At 0, an arm hangs down; positive angles reach forward."""
     for side, shoulder, elbow in (
         (1.0, joints[LEFT_SHOULDER], joints[LEFT_ELBOW]),
         (-1.0, joints[RIGHT_SHOULDER], joints[RIGHT_ELBOW]),
@@ -216,9 +216,9 @@ def paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: 
 
 
 def _reach(side: float, angle: float, spread: float = 0.0) -> Vector:
-    """Return the direction of a limb of the left (1) or right (-1) arm, lifted by `angle` (rad).
+    """Return the direction of a segment of the left (1) or right (-1) arm when it's lifted by `angle` (rad).
 
-    The result is a unit vector in the robot's axes.
+    The result is a unit vector in the robot's frame.
     """
     inward = INWARD + spread
     return np.array(
@@ -234,7 +234,7 @@ def _paint_part(
     color: Color,
     pan: float,
 ) -> None:
-    """Paint a limb between two places in the robot's axes (m), if both are in front of the camera."""
+    """Paint a limb between two points in the robot's frame (m), if both are in front of the camera."""
     near, far = (camera.seen_from((end[0], end[1], end[2]), pan) for end in ends)
     if min(near[2], far[2]) <= NEAREST_M:
         return

@@ -8,13 +8,14 @@ import numpy.typing as npt
 from workbook.scenes.painting import Picture
 
 Rows = npt.NDArray[np.uint8]
-"""An array of shape (height, bytes of a row without padding)."""
+"""The bytes of an image, as an array of shape (height, bytes per row without padding)."""
 
 
 def encoded(picture: Picture, encoding: str, padding: int = 0) -> tuple[bytes, int]:
-    """Return the bytes of `Image.data` and a row's length (`step`), with `padding` unused bytes after each row.
+    """Return the bytes of `Image.data`, and `step`, which is the length of a row in bytes.
 
-    16-bit numbers are little-endian. Raise ValueError if the encoding isn't in `ENCODINGS`.
+    Each row ends with `padding` unused bytes. 16-bit numbers are little-endian. Raise ValueError if the encoding isn't
+    in `ENCODINGS`.
     """
     if encoding not in _ROWS:
         raise ValueError(f"one of {', '.join(ENCODINGS)}, not {encoding!r}")
@@ -39,7 +40,7 @@ def _in_bgr(picture: Picture) -> Rows:
 
 
 def _in_rgba(picture: Picture) -> Rows:
-    """Encode red, green, blue, and an alpha byte that means opaque."""
+    """Encode each pixel's red, green, and blue, and an alpha byte that means opaque."""
     opaque: Rows = np.dstack([picture, np.full(picture.shape[:2], 255, np.uint8)])
     return opaque.reshape(picture.shape[0], -1)
 
@@ -53,7 +54,7 @@ def _in_16_bits(picture: Picture) -> Rows:
 
 
 def _in_yuv(picture: Picture) -> Rows:
-    """Encode each pixel's brightness, and one blue and one red difference for each pair of pixels: Y U Y V."""
+    """Encode each pixel's brightness (Y), and one blue (U) and one red (V) difference per pair of pixels: Y U Y V."""
     bright = _gray(picture)
     pairs = np.empty((*bright.shape, 2))
     pairs[..., 0] = bright

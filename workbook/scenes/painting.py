@@ -1,4 +1,4 @@
-"""Paint shapes into an image with smooth edges: a partly covered pixel gets a part of the shape's color."""
+"""Paint shapes into an image with smooth edges: a pixel that a shape covers partly gets a part of its color."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 
 class Patch:
-    """The part of an image where a shape can be: the columns and rows of its pixels, as arrays."""
+    """The part of an image that a shape may cover: the columns and rows of its pixels, as arrays."""
 
     def __init__(self, picture: Picture, corners: Sequence[Point], margin: float = 2.0) -> None:
         columns, rows = zip(*corners, strict=True)
@@ -42,7 +42,7 @@ class Patch:
 
 
 def paint_sphere(picture: Picture, camera: Pinhole, center: Vector, radius: float, color: Color) -> None:
-    """Paint a ball as a pinhole camera sees it. `center` is in the camera's axes (m). Light comes from above."""
+    """Paint a ball as a pinhole camera sees it. `center` is in the camera's frame (m). Light comes from above."""
     if center[2] <= radius:
         return
     column, row = camera.pixel(center)
@@ -65,9 +65,9 @@ def paint_sphere(picture: Picture, camera: Pinhole, center: Vector, radius: floa
 
 
 def paint_limb(picture: Picture, ends: tuple[Point, Point], radii: tuple[float, float], color: Color) -> None:
-    """Paint a straight limb with round ends, from pixel to pixel.
+    """Paint a straight limb with round ends.
 
-    `radii`: the radius at each end, in pixels.
+    `ends`: the centers of the ends, in pixels. `radii`: the radius at each end, in pixels.
     """
     (u, v), (u2, v2) = ends
     thick = max(radii)

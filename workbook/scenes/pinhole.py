@@ -13,8 +13,8 @@ Vector = npt.NDArray[np.float64]
 class Pinhole:
     """A camera in the head. Pixel (0, 0) is the center of the upper left pixel.
 
-    The camera's axes follow the ROS convention for cameras: x to the right, y down, z forward. The robot's axes are x
-    forward, y to the left, z up. The camera is the origin of both. `focal`: the focal length in pixels. `pitch`: the
+    The camera's frame follows the ROS convention for cameras: x points right, y down, z forward. In the robot's frame,
+    x points forward, y left, z up. The camera is the origin of both. `focal`: the focal length in pixels. `pitch`: the
     camera's downward angle (rad).
     """
 
@@ -25,11 +25,11 @@ class Pinhole:
 
     @property
     def center(self) -> tuple[float, float]:
-        """The column and row of the image center, which looks straight ahead."""
+        """The column and row of the image's center, which lies straight ahead of the camera."""
         return (self.width - 1) / 2, (self.height - 1) / 2
 
     def seen_from(self, point: tuple[float, float, float], pan: float = 0.0) -> Vector:
-        """Convert a point from the robot's axes (m) to the camera's. The head is turned to the left by `pan` (rad)."""
+        """Convert a point from the robot's frame (m) to the camera's. The head is turned to the left by `pan` (rad)."""
         x, y, z = point
         ahead = x * math.cos(pan) + y * math.sin(pan)
         left = y * math.cos(pan) - x * math.sin(pan)
@@ -37,14 +37,14 @@ class Pinhole:
         return np.array([-left, -z * level - ahead * down, ahead * level - z * down])
 
     def pixel(self, point: Vector) -> tuple[float, float]:
-        """Project a point in the camera's axes (m) to column and row. Raise ValueError if it isn't in front."""
+        """Project a point in the camera's frame (m) to column and row. Raise ValueError if it isn't in front."""
         if not point[2] > 0.0:
             raise ValueError(f"a camera sees only points in front of it (z > 0), not z = {point[2]}")
         column, row = self.center
         return float(column + self.focal * point[0] / point[2]), float(row + self.focal * point[1] / point[2])
 
     def direction(self, column: float, row: float) -> Vector:
-        """Return the direction of a pixel's ray as a unit vector in the camera's axes."""
+        """Return the direction of a pixel's ray as a unit vector in the camera's frame."""
         middle = self.center
         ray: Vector = np.array([(column - middle[0]) / self.focal, (row - middle[1]) / self.focal, 1.0])
         ray /= np.linalg.norm(ray)
@@ -53,7 +53,7 @@ class Pinhole:
     def on_level(
         self, column: float, row: float, height: float, pan: float = 0.0
     ) -> tuple[float, float] | None:
-        """Return the point where a pixel's ray meets a level plane: forward and left (m, robot's axes).
+        """Return the point where a pixel's ray meets a horizontal plane: forward and left (m, robot's frame).
 
         `height`: the plane's height above the camera (m). The result is None if the ray doesn't meet the plane.
         """

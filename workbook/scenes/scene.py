@@ -12,7 +12,7 @@ BALL_RADIUS_M = 0.04
 
 @dataclass(frozen=True)
 class Box:
-    """A brick on the desk: the center of its bottom (m, robot's axes), its edges (m), and its angle `turn` (rad)."""
+    """A brick on the desk: the center of its bottom (m, robot's frame), its edges (m), and its angle `turn` (rad)."""
 
     at: tuple[float, float]
     size: Place = (0.05, 0.14, 0.05)
@@ -21,7 +21,7 @@ class Box:
 
 @dataclass(frozen=True)
 class Cup:
-    """A cup on the desk: the center of its bottom (m, robot's axes), its radius, and its height (m)."""
+    """A cup on the desk: the center of its bottom (m, robot's frame), its radius, and its height (m)."""
 
     at: tuple[float, float]
     radius: float = 0.035
@@ -30,7 +30,7 @@ class Cup:
 
 @dataclass(frozen=True)
 class Plate:
-    """A flat round plate on the desk, as orange as the ball: its center (m, robot's axes) and its radius (m)."""
+    """A flat round plate on the desk, as orange as the ball: its center (m, robot's frame) and its radius (m)."""
 
     at: tuple[float, float]
     radius: float = 0.065
@@ -38,10 +38,11 @@ class Plate:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene at one moment. Positions are relative to the camera in the robot's axes (m): x forward, y left, z up.
+    """A scene at one moment. Positions are relative to the camera in the robot's frame (m): x forward, y left, z up.
 
-    `joints`: the twelve angles of `/robot/joint_positions` (rad); None: no arms. `pan`: the head's angle to the left
-    (rad). `light`: 1 is a bright day, 0.3 an evening. `warm`: the light is reddish above 1, and bluish below 1.
+    `joints`: the twelve angles of `/robot/joint_positions` (rad); with None, the scene has no arms. `pan`: the head's
+    angle to the left (rad). `light`: 1 is a bright day, 0.3 an evening. `warm`: the light is reddish above 1, and
+    bluish below 1.
     """
 
     ball: Place | None = None

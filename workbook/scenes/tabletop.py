@@ -70,7 +70,7 @@ def _kinds(dice: np.random.Generator) -> list[str]:
 def _spots(dice: np.random.Generator, number: int = 8) -> list[Spot]:
     """Choose random spots (forward and left, m) on the desk in the camera's view, apart from each other.
 
-    There are `number` spots if they fit.
+    If `number` spots don't fit, return fewer.
     """
     found: list[Spot] = []
     for forward, share in dice.uniform((0.55, -0.5), (1.4, 0.5), (60, 2)):
@@ -89,7 +89,7 @@ def _arms(dice: np.random.Generator) -> tuple[float, ...] | None:
 
 
 def things_in(scene: Scene, pinhole: Pinhole) -> list[Thing]:
-    """Return the orange objects in a scene's image, even if only a part of one is visible."""
+    """Return the orange objects in a scene's image, including those that are only partly visible."""
     outlines = [("brick", _corners(box)) for box in scene.boxes]
     outlines += [("cup", _rim(cup.at, cup.radius, (0.0, cup.height))) for cup in scene.cups]
     outlines += [("plate", _rim(plate.at, plate.radius, (0.0,))) for plate in scene.plates]
@@ -124,7 +124,7 @@ def _rim(at: Spot, radius: float, heights: tuple[float, ...]) -> list[Place]:
 
 
 def _arms_mask(scene: Scene, pinhole: Pinhole) -> Picture:
-    """Return a mask: 1 where an arm is in front of everything else."""
+    """Return a mask of the image: 1 where an arm is visible, 0 elsewhere."""
     mask = np.zeros((pinhole.height, pinhole.width, 3), dtype=np.uint8)
     if scene.joints is not None:
         paint_arms(mask, pinhole, scene.joints, scene.pan)
