@@ -14,7 +14,7 @@
 # - **Not covered:** starting and ending a program properly (the next lesson)
 
 # %% [markdown]
-# Click into the gray cell below and press **Shift+Enter**. That runs the cell and selects the next one.
+# Click into the code cell below, and press **Shift+Enter**. That runs the cell and selects the next one.
 
 # %%
 from lesson_nodes import joint_position_publisher

@@ -148,7 +148,7 @@ def test_full_marks_replay_what_the_student_wrote(page: LabPage, lab: StudentLab
     card = check.locator(".workbook-check")
     robot, again = check.locator(f"{ON_CARD} svg"), check.get_by_role("button", name="Replay")
     expect(card).to_contain_text("Full marks", timeout=CELL_MS)
-    expect(card).to_contain_text("Then started again and watched for", timeout=CELL_MS)
+    expect(card).to_contain_text("Then it started the program again", timeout=CELL_MS)
     expect(again).to_be_visible()
     expect(card.locator(".workbook-words")).to_contain_text(re.compile(r"battery: \d+ %"))
     assert len(page.page.evaluate("() => [...window.rooms]")) == 1, "the card jumps when the robot comes"

@@ -148,7 +148,7 @@ def test_a_wrong_answer_then_the_right_one(
     assert written.read_text(encoding="utf-8").strip() == wrong.strip()
     page.run(check)
     expect(card).to_have_count(1)
-    expect(card).to_contain_text("Fix first: The joint positions are published at 0.5 Hz")
+    expect(card).to_contain_text("Start with this criterion: The joint positions are published at 0.5 Hz")
     expect(card).not_to_contain_text("Provisional", timeout=CELL_MS)
     expect(headline_of(card)).to_contain_text("8 of 10 points.")
     check_picture(card)
@@ -163,11 +163,11 @@ def test_a_wrong_answer_then_the_right_one(
     expect(headline_of(card)).to_contain_text(FULL_MARKS, timeout=CELL_MS)
     expect(check.locator(".jp-OutputArea")).to_contain_text("Saved the current answer cell")
     assert written.read_text(encoding="utf-8").strip() == exercise.source.solution_code.strip()
-    expect(card).not_to_contain_text("Fix first")
+    expect(card).not_to_contain_text("Start with this criterion")
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
     expect(card).to_contain_text("2 more points than before.")
     expect(card).to_contain_text("Next: 10")
-    expect(card).to_contain_text("Then started again and watched for", timeout=CELL_MS)
+    expect(card).to_contain_text("Then it started the program again", timeout=CELL_MS)
     expect(card.get_by_role("img", name="A replay")).to_be_visible()
     for theme in in_both_themes(page):
         screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_right_{theme}.png")
@@ -312,7 +312,7 @@ def stored_judgement(exercise: Exercise) -> Judgement:
 def says_everything(card: Locator, exercise: Exercise) -> None:
     """Check that the headline, the advice, and each criterion's sign, word, points, and title can be read."""
     expect(card).to_contain_text("8 of 10 points.")
-    expect(card).to_contain_text("Fix first: The joint positions are published at 0.5 Hz")
+    expect(card).to_contain_text("Start with this criterion: The joint positions are published at 0.5 Hz")
     expect(card).to_contain_text("Likely cause")
     expect(card).not_to_contain_text("data-jp-theme")
     rows = card.locator("table").last.locator("tbody tr")

@@ -200,14 +200,14 @@ def test_full_marks() -> None:
     assert "✓ Full marks: 10 of 10 points." in reader.text
     assert "answers/09_joint_positions.py" in reader.text
     assert "Please review" in reader.text
-    assert "Fix first" not in reader.text
+    assert "Start with this criterion" not in reader.text
     assert "%hint" not in reader.text
     assert reader.text.count("✓ passes") == 8
 
 
 def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
     reader = Reader(card_of(judged("eleven_values"))._repr_html_())
-    assert "Fix first: Every message has exactly 12 values" in reader.text
+    assert "Start with this criterion: Every message has exactly 12 values" in reader.text
     for words in (
         "every message has 11 values",
         "exactly 12 values",
@@ -310,7 +310,7 @@ def test_the_plain_text_of_a_card_is_the_same_in_every_run(judgement: Judgement)
 def test_the_plain_text_of_some_cards() -> None:
     assert repr(Card(judged("solution"))) == "Full marks: 10 of 10 points."
     assert repr(Card(judged("eleven_values"))) == (
-        "9 of 10 points. Fix first: Every message has exactly 12 values."
+        "9 of 10 points. Start with this criterion: Every message has exactly 12 values."
     )
     assert repr(Card(not_judged())) == "Not judged: the slot ended with code -9"
 
@@ -345,7 +345,7 @@ def test_each_result_says_which_clock_was_used() -> None:
     assert "14 s of robot time" in as_text(judged("solution"))
     assert "wall clock" in as_text(judged("period_for_frequency"))
     lived = replace(judged("solution"), watched_real_life=True)
-    assert "Then started again" in as_text(lived)
+    assert "Then it started the program again" in as_text(lived)
 
 
 def test_parts_of_points_are_shown() -> None:

@@ -193,7 +193,7 @@ def test_the_page_says_it_all(tmp_path: Path) -> None:
     page = Page(summary(pushed, tmp_path, "sandbox"))
     assert page.tags <= ALLOWED
     for words in (
-        "9 of 10", "Fix first: Every message has exactly 12 values", "11 values", "nothing handed in",
+        "9 of 10", "Start with this criterion: Every message has exactly 12 values", "11 values", "nothing handed in",
         "Push it as answers/05_timers.py", "Isolation: sandbox",
     ):  # fmt: skip
         assert words in page.words

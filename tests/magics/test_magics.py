@@ -82,7 +82,7 @@ def test_a_check_in_a_new_session_and_another_at_once(fresh_kernel: Kernel) -> N
 def test_from_the_starter_to_full_marks(kernel: Kernel) -> None:
     assert answer(kernel, SOURCE.starter_code) == "Saved as answers/09_joint_positions.py.\n"
     [starter] = kernel.good("%check").displays
-    assert starter.startswith("3 of 10 points. Fix first: /robot/joint_positions")
+    assert starter.startswith("3 of 10 points. Start with this criterion: /robot/joint_positions")
     assert answer(kernel, SOURCE.solution_code) == "Saved as answers/09_joint_positions.py.\n"
     first = kernel.good("%check")
     assert first.displays[0] == LIVES_ON

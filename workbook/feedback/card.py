@@ -106,4 +106,4 @@ class Card:
     def __repr__(self) -> str:
         first = wording.first_to_mend(self.judgement)
         line = _headline(self.judgement, self._extras)
-        return line if first is None else f"{line} Fix first: {first.title}."
+        return line if first is None else f"{line} Start with this criterion: {first.title}."

@@ -30,7 +30,7 @@ def as_markdown(judgement: Judgement) -> str:
     parts = [f"**{plain(wording.headline(judgement))}**"]
     first = wording.first_to_mend(judgement)
     if first is not None:
-        parts += [f"Fix first: {plain(first.title)}", _advice(first)]
+        parts += [f"Start with this criterion: {plain(first.title)}", _advice(first)]
     shown = wording.worst_first(judgement)
     if shown:
         parts.append(

@@ -106,11 +106,12 @@ def clock_line(judgement: Judgement) -> str:
     if recording.watched_s < SHORTEST_WATCH_S:
         return ENDED_TOO_SOON if recording.process.ended_by == "itself" else NOTHING_WATCHED
     if recording.clock == "simulated":
-        line = f"Judged on {recording.watched_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
+        line = f"The judge watched {recording.watched_s:.0f} s of robot time, which took {recording.wall_s:.1f} s."
         if judgement.watched_real_life:
-            line += f" Then started again and watched for {recording.process.watched_for:.0f} real seconds."
+            seconds = recording.process.watched_for
+            line += f" Then it started the program again, and watched it for {seconds:.0f} s in real time."
         return line
-    return f"Judged on the wall clock, {recording.watched_s:.0f} s."
+    return f"The judge watched the program for {recording.watched_s:.0f} s in real time."
 
 
 def provisional_line(judgement: Judgement) -> str:

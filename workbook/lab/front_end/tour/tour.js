@@ -9,7 +9,7 @@
   const BUTTON = name => `.jp-NotebookPanel:not(.lm-mod-hidden) [data-jp-item-name="${name}"]`;
   // Title, text, and selector of the element to frame as soon as it's on the page.
   const STEPS = [
-    ['Run a cell', 'Click into a gray cell and press Shift+Enter, or this button. A number in the brackets to the left of the cell shows that it has run.', BUTTON('run')],
+    ['Run a cell', 'Click into a code cell, and press Shift+Enter or this button. A number in the brackets to the left of the cell shows that it has run.', BUTTON('run')],
     ['Stop a cell', 'A cell that is still running shows [*]. This button stops it. All variables keep their values.', BUTTON('interrupt')],
     ['Restart', "Does nothing make sense anymore? This button restarts Python and ends all of this notebook's robot programs. Your text is kept.", BUTTON('restart')],
     ['A terminal', 'File > New > Terminal. Type “workbook topic list” there to list the topics of the robot in your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
