@@ -1,5 +1,5 @@
 # score: 0
-# says: still busy in its first lines
+# says: busy in its first lines
 """Never comes to its node."""
 while True:
     pass

@@ -1,5 +1,5 @@
 # score: 0
-# says: A spin returns only when ROS is shut down
+# says: A call to spin returns only when ROS is shut down
 """In a notebook: the cell that spins stands above the one that publishes."""
 import rclpy
 from rclpy.node import Node
