@@ -148,7 +148,7 @@ class Status:
 
     @property
     def followed(self) -> int:
-        """How many earlier changes the line had followed."""
+        """How many earlier changes the line had shown."""
         return sum(bool(one.lines) for one in self.run.statuses[1 : self.number])
 
 

@@ -436,7 +436,7 @@ class Fall(Watched):
         self.again_at = [*again, math.inf][0]
         self.again_after = self.again_at - self.error_at
         self.upright_for = self.again_at - self.felt[min(self.run.fall.end, len(self.felt) - 1)]
-        upright = f"{self.upright_for:.1f} s after it was set upright"
+        upright = f"{self.upright_for:.1f} s after the robot was set upright"
         self.when_forgiven = "while the robot was still on the floor" if self.upright_for < 0.0 else upright
 
     def error_during(self, tilt: Tilt, skipped: int = 0) -> bool:

@@ -87,7 +87,7 @@ def test_a_value_is_named_with_its_field_and_what_it_takes(logs: dict[str, str])
     assert error is not None
     assert (
         error.because
-        == "The field 'data' of String has the type string. It was given a value of type dict: {}."
+        == "The 'data' field of String has the type string. It was given a value of type dict: {}."
     )
     assert "a string" in error.try_this
 
@@ -105,7 +105,7 @@ def test_a_comma_that_makes_a_tuple_is_named() -> None:
     )
     error = find_error(log, "b.py")
     assert error is not None and error.cause == "error.field-of-other-type"
-    assert "A comma at the end of a line makes a tuple" in error.because
+    assert "A comma at the end of a line turns the value into a one-item tuple" in error.because
     assert error.try_this == "Remove the comma after the value."
 
 

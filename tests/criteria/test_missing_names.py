@@ -50,8 +50,8 @@ CASES = {
         MISSPELLED,
         "init?",
     ),
-    "field": (in_callback("String().dta = 'a'"), "error.unknown-field", "Use this name"),
-    "field_that_is_read": (in_callback("print(String().dta)"), "error.unknown-field", "Use this name"),
+    "field": (in_callback("String().dta = 'a'"), "error.unknown-field", "Use data instead"),
+    "field_that_is_read": (in_callback("print(String().dta)"), "error.unknown-field", "Use data instead"),
     "set_later": (
         in_constructor("self.tick(); self.level = 1.0").replace("        pass", "        print(self.level)"),
         "error.attribute-set-later",

@@ -38,11 +38,11 @@ def test_only_an_error_that_ended_the_program_is_blamed() -> None:
     assert see.ended_by_error(recorded(process=replace(LIVING, log=LOG)), "silence", "none") is None
     verdict = see.ended_by_error(recorded(process=ended_by_itself(LOG)), "silence", "none")
     assert verdict is not None
-    assert verdict.saw.startswith("silence; an error ended the program: line 7: NameError")
+    assert verdict.saw.startswith("silence; the program ended with an error in line 7: NameError")
 
 
 def test_an_error_after_ctrl_c_is_blamed() -> None:
     assert see.failed_at_the_end(recorded(process=replace(LIVING, log=LOG)), "silence", "none") is None
     verdict = see.failed_at_the_end(recorded(process=replace(LIVING, end_log=LOG)), "silence", "none")
     assert verdict is not None
-    assert verdict.saw == "silence; error after Ctrl-C: line 7: NameError: name x"
+    assert verdict.saw == "silence; error after Ctrl-C in line 7: NameError: name x"

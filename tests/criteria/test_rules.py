@@ -180,6 +180,15 @@ def test_a_part_that_nothing_shows_is_refused(words: Callable[[str], Words]) -> 
         words(CATALOG + '\n[in-order.odd]\nhint = "x"\n').cause("in-order.odd", Facts)
 
 
+@pytest.mark.parametrize(("lost", "told"), [(1, "once"), (2, "twice"), (3, "3 times"), (["a", "b"], "twice")])
+def test_times_are_once_twice_or_a_number(
+    lost: int | list[str], told: str, words: Callable[[str], Words]
+) -> None:
+    catalog = CATALOG.replace("{lost} of {sent} {lost|is|are} missing", "{lost:times} missing")
+    cause = words(catalog).cause("in-order.late", ("lost", "sent", "at"))
+    assert cause.verdict(lost=lost, sent=[], at="7").saw == f"{told} missing, the first at 7 s"
+
+
 def test_a_constant_of_the_module_is_filled_in(tmp_path: Path) -> None:
     path = tmp_path / "07_x.toml"
     path.write_text(

@@ -47,4 +47,9 @@ def test_a_program_that_crashed_is_told_its_error() -> None:
 
 
 def test_a_program_that_ended_is_told_so() -> None:
-    refuses(see.rate(stopped(7, ended_by_itself("", 0)), BATTERY), "had ended", "rclpy.spin", about_time=True)
+    refuses(
+        see.rate(stopped(7, ended_by_itself("", 0)), BATTERY),
+        "then the program ended",
+        "rclpy.spin",
+        about_time=True,
+    )

@@ -525,7 +525,7 @@ def test_never_rises() -> None:
     refuses(
         see.never_rises(battery(EVEN[:3], [100.0, 98.0, 98.5]), BATTERY),
         "rises from 98 to 98.5 at message 3",
-        "adds the drain",
+        "adds to the level",
     )
     accepts(see.never_rises(battery([2.0], [50.0]), BATTERY))
 

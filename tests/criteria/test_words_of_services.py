@@ -34,8 +34,11 @@ def test_one_call_that_arrived_suffices() -> None:
         (with_clients(("/camera/reset", TRIGGER)), "your program has /camera/reset"),
         (with_clients((SERVICE, SET_BOOL)), "is of type SetBool"),
         (with_clients((SERVICE, TRIGGER)), "no request arrived"),
-        (with_clients((SERVICE, TRIGGER), log=TRACEBACK), "never sends a request: line 7: NameError"),
-        (with_clients(log=TRACEBACK), "no client for /robot/self_test: line 7: NameError"),
+        (
+            with_clients((SERVICE, TRIGGER), log=TRACEBACK),
+            "never sends a request; error in line 7: NameError",
+        ),
+        (with_clients(log=TRACEBACK), "no client for /robot/self_test; error in line 7: NameError"),
         (with_clients(), "your program has none"),
     ],
 )

@@ -53,7 +53,8 @@ class CatalogError(ValueError):
 class _Filler(Formatter):
     """Fills in placeholders. Floats are written without an exponent, and a list of names becomes an English list.
 
-    `{lost:n}` is the length of `lost`, and `{lost|is|are}` chooses the singular or the plural.
+    `{lost:n}` is the length of `lost`, and `{lost|is|are}` chooses the singular or the plural. `{lost:times}` is
+    "once", "twice", or "3 times".
     """
 
     def get_field(self, field_name: str, args: Any, kwargs: Mapping[str, Any]) -> tuple[Any, str]:
@@ -71,6 +72,9 @@ class _Filler(Formatter):
             return listing([self.format_field(one, "") for one in value])
         if isinstance(value, Sized) and format_spec == "n":
             return str(len(value))
+        if format_spec == "times":
+            n = len(value) if isinstance(value, Sized) else value
+            return {1: "once", 2: "twice"}.get(n, f"{n} times")
         return str(super().format_field(value, format_spec))
 
 

@@ -1,7 +1,7 @@
 # A number that it has sent before is not sent again, if it is a whole one.
 # loses: numbers_arrive
 # cause: numbers-arrive.not-each-time
-# says: 1 time after 2 calls
+# says: once after 2 calls
 # after: self.level = 100.0
 self.sent: set[float] = set()
 

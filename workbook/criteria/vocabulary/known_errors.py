@@ -38,13 +38,19 @@ class ProgramError:
         """The line number as a prefix for a message, such as "line 12: "; empty if it's unknown."""
         return f"line {self.line}: " if self.line is not None else ""
 
+    @property
+    def in_line(self) -> str:
+        """The line number as a part of a sentence, such as " in line 12"; empty if it's unknown."""
+        return f" in line {self.line}" if self.line is not None else ""
+
     def verdict(self, saw: str, expected: str, *, about_time: bool = False) -> Verdict:
         """Return a failed verdict that blames this error."""
         return failed(self.cause, saw, expected, self.because, self.try_this, about_time=about_time)
 
 
 _SAYS_NOT_WHICH_NAME = (UNKNOWN_ERROR.cause, "error.module-without-name", "error.import-not-found")
-AN_ERROR_ENDED_IT = "; an error ended the program"
+_WITH_AN_ERROR = " with an error"
+AN_ERROR_ENDED_IT = f"; the program ended{_WITH_AN_ERROR}"
 """The clause that connects the text `saw` to the error that ended the program."""
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
 """Matches the error with which OpenMP ends a process, such as PyTorch's, if the kernel refuses a new thread."""
@@ -166,8 +172,12 @@ def failed_by_error(
     error = last_error(recording)
     if error is None:
         return None
-    told = f"{error.where}{error.error}"
-    return error.verdict(f"{saw}: {told}" if saw else told, expected, about_time=about_time)
+    if saw:
+        joined = saw if saw.endswith(_WITH_AN_ERROR) else f"{saw}; error"
+        told = f"{joined}{error.in_line}: {error.error}"
+    else:
+        told = f"{error.where}{error.error}"
+    return error.verdict(told, expected, about_time=about_time)
 
 
 def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:
@@ -180,4 +190,4 @@ def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict 
     error = None if shutdown_overtaken(process.end_log) else find_error(process.end_log, process.program)
     if error is None:
         return None
-    return error.verdict(f"{saw}; error after Ctrl-C: {error.where}{error.error}", expected)
+    return error.verdict(f"{saw}; error after Ctrl-C{error.in_line}: {error.error}", expected)

@@ -10,7 +10,7 @@ from workbook.criteria.criterion import Topic
 from workbook.criteria.rules import Words, otherwise
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.field_checks import GIVEN, quoted_field_checks, said_by_field_checks
-from workbook.criteria.vocabulary.phrasing import count, number
+from workbook.criteria.vocabulary.phrasing import number
 from workbook.criteria.vocabulary.topics import if_messages
 from workbook.criteria.vocabulary.values import Offender, elements, first_offender, values
 from workbook.recording.recording import Recording
@@ -61,7 +61,7 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
             f"numbers arrive unchanged; the first is {number(seen[0])}" if seen else "no numbers in it"
         )
     if len(zeros) == len(seen):
-        return _zeros(recording, topic, f"in each of {count(len(seen), 'message')}, from the first on")
+        return _zeros(recording, topic, _in_all(seen))
     after = next(value for value in seen[followed[0] :] if value != 0.0)
     return _zeros(recording, topic, f"in message {followed[0] + 1}, and {number(after)} after it")
 
@@ -73,7 +73,7 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
     if not seen or said_by_field_checks(recording) == "":
         return passed("its numbers are floats")
     if not any(value != 0.0 for value in seen):
-        return _zeros(recording, topic, f"in each of {count(len(seen), 'message')}")
+        return _zeros(recording, topic, _in_all(seen))
     stands_out = _zero_that_stands_out(seen)
     place = _zero_that_stays(seen) if stands_out is None else stands_out
     if place is None:
@@ -109,6 +109,11 @@ def _zero_that_stays(seen: Sequence[float]) -> int | None:
     """
     last = max(place for place, value in enumerate(seen) if value != 0.0)
     return last + 1 if len(seen) - last > 2 else None
+
+
+def _in_all(seen: Sequence[object]) -> str:
+    """Say that something is in every message."""
+    return f"in all {len(seen)} messages" if len(seen) > 1 else "in the only message"
 
 
 def _zeros(recording: Recording, topic: Topic, where: str) -> Verdict:
