@@ -48,10 +48,10 @@ def test_numbers_that_arrive(levels: tuple[float, ...]) -> None:
 @pytest.mark.parametrize(
     ("levels", "saw"),
     [
-        ((0.0, 0.0, 0.0), "in each of 3 messages"),
+        ((0.0, 0.0, 0.0), "in all 3 messages"),
         ((0.0, 99.0, 98.0), "in message 1, and 99 after it"),
         ((99.0, 0.0, 98.0), "in message 2, and 98 after it"),
-        ((0.0,), "in each of 1 message"),
+        ((0.0,), "in the only message"),
     ],
 )
 def test_zeros_where_another_number_was_meant(levels: tuple[float, ...], saw: str) -> None:
@@ -59,7 +59,7 @@ def test_zeros_where_another_number_was_meant(levels: tuple[float, ...], saw: st
     assert verdict.status == "failed"
     assert verdict.recheck_fields
     assert saw in verdict.saw
-    assert "sends an int in a float field as 0.0" in verdict.because
+    assert "this course's ROS build sends 0.0" in verdict.because
 
 
 def test_silence_asks_for_no_recheck() -> None:
@@ -80,7 +80,7 @@ def test_checks_that_find_nothing_change_the_reason(log: str) -> None:
     note = field_check_note(ProcessRecord(program="answer.py", log=log))
     verdict = really_arrives(replace(battery(0.0), notes=(note,)), BATTERY)
     assert "The program itself sends 0.0" in verdict.because
-    assert "sends an int" not in verdict.because
+    assert "ROS build sends 0.0" not in verdict.because
 
 
 def test_an_empty_text_is_rechecked_and_a_wrong_word_is_not() -> None:
