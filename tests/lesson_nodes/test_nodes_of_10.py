@@ -9,6 +9,7 @@ from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 
 from lesson_nodes import thinking_robot
 from tests.lesson_nodes.ending import ended_well
+from workbook.criteria.vocabulary.known_errors import shutdown_overtaken
 from workbook.lesson import arrivals, record, start, stop, values
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
@@ -58,7 +59,8 @@ def test_only_threads_and_a_group_together_keep_the_heart_beating(
     silence = max(b - a for a, b in pairwise(beats))
     assert (silence > 0.9) == heart_stops
     assert set(values(recording, THOUGHT)) == {"done"}
-    assert ended_well(recording), recording.process
+    # If rclpy's own shutdown error reaches main while an executor's threads still wait, they keep the process alive.
+    assert ended_well(recording) or shutdown_overtaken(recording.process.end_log), recording.process
 
 
 def test_the_arm_waves_with_each_beat() -> None:
