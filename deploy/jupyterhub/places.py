@@ -46,12 +46,12 @@ class Place:
 
     @property
     def hand_ins(self) -> Path:
-        """The folder for answers, which the student sees in the work folder."""
+        """The folder for answers. It appears in the student's work folder."""
         return self.top / HAND_INS / self.name
 
     @property
     def published(self) -> Path:
-        """The folder for an instructor's pages, which the student sees in the work folder."""
+        """The folder for an instructor's pages. It appears in the student's work folder."""
         return self.top / PUBLISHED / self.name
 
 

@@ -76,7 +76,7 @@ class ClassSpawner(LocalProcessSpawner):
         return ("127.0.0.1", self.port)
 
     async def poll(self) -> int | None:
-        """Return None while the server runs, and otherwise its exit code, or 0 if that isn't known.
+        """Return None while the server runs. Afterward, return its exit code, or 0 if the exit code isn't known.
 
         After a restart of the hub, the gate is another process's child. When the gate ends, it stays a zombie until
         that process reaps it, and JupyterHub would assume that the server is still running.

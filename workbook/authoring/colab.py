@@ -18,7 +18,7 @@ FIRST_CELL = """\
 def lessons_for_colab(tree: Tree, folder: Path, package: str = PACKAGE) -> list[Path]:
     """Write each lesson to `folder`, without outputs and with a first cell that installs the course.
 
-    `package` is pip's argument: a package name or a wheel's URL. Return the written files.
+    `package` is pip's argument: a package name or a wheel's URL. Return the paths of the files that were written.
     """
     folder.mkdir(parents=True, exist_ok=True)
     written = []

@@ -46,7 +46,7 @@ def lesson_link(tree: Tree, stem: str) -> str:
 def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
     """Return the main lessons before and after a lesson, with None for a missing one.
 
-    A deeper notebook comes right after its lesson, and links on to the next main lesson.
+    For a "deeper" notebook, these are the lesson that it extends and the next main lesson.
     """
     stems = tree.main_stems()
     before = [other for other in stems if other < stem][-1:]
@@ -59,7 +59,7 @@ def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
 
 
 def linked(text: str, before: Neighbor | None, after: Neighbor | None, deeper: Neighbor | None = None) -> str:
-    """Return the lesson's text with correct links. Words that the author wrote around a correct link are kept."""
+    """Return the lesson's text with correct links. The author's words around a link are kept if it was correct."""
     text = _BEFORE.sub("", text)
     optional = _DEEPER.search(text)
     text = _DEEPER.sub("", text)

@@ -86,7 +86,7 @@ class TableFile:
 
 
 def stale_exceptions(tree: Tree, without: frozenset[str] = WITHOUT_TABLE) -> Iterator[Violation]:
-    """Yield a violation for each exercise in `without` that doesn't exist, or that has a table now."""
+    """Yield a violation for each exercise in `without` that doesn't exist or that does have a table."""
     module, root = Path(__file__).resolve(), tree.root.resolve()
     if not module.is_relative_to(root):  # WITHOUT_TABLE applies only to this module's own course
         return

@@ -1,4 +1,4 @@
-"""Draw the README's figure: an animated PNG of the robot, moved by a recorded program."""
+"""Draw the README's figure: an animated PNG of the robot replaying the moves of a recorded program."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ TOPIC = "/robot/joint_positions"
 PERIOD_S = 0.125
 WAVES_PER_SECOND = 1.0
 ROUND = 32
-"""Number of messages until the robot is back in its first pose. With this many, the film loops without a jump."""
+"""Number of messages until the robot is back in its first pose, so that the animation loops without a jump."""
 SCALE = 0.85
 
 

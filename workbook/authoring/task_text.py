@@ -1,4 +1,4 @@
-"""Extract a task's text, and find the sentence that a quotation most likely refers to."""
+"""Extract a task's text, and find the sentence that a quotation most likely comes from."""
 
 import re
 from collections.abc import Iterator

@@ -32,7 +32,7 @@ class Tree:
 
     @property
     def museum(self) -> Path:
-        """The folder of the error museum and the glossary, one TOML file per lesson."""
+        """The folder for the error museum and the glossary, which contains one TOML file per lesson."""
         return self.sources / "museum"
 
     @property
@@ -42,7 +42,7 @@ class Tree:
 
     @property
     def exercises(self) -> Path:
-        """The folder of the built exercise notebooks, which contain the starter."""
+        """The folder for the built exercise notebooks, which contain the starter code."""
         return self.root / "exercises"
 
     @property
@@ -109,7 +109,7 @@ class Tree:
         return deeper if deeper in self.lesson_stems() else None
 
     def exercise_stems(self) -> tuple[str, ...]:
-        """Return the stem (NN_slug) of every exercise that has a source, sorted."""
+        """Return the sorted stems (NN_slug) of all exercises that have a source."""
         return stems_in(self.solutions, ".py")
 
     def name(self, path: Path) -> str:
@@ -118,7 +118,7 @@ class Tree:
 
 
 def stems_in(folder: Path, suffix: str) -> tuple[str, ...]:
-    """Return the stems of a folder's files that are named NN_slug with this suffix, sorted."""
+    """Return the sorted stems of a folder's files that are named NN_slug and end in `suffix`."""
     return tuple(sorted(path.stem for path in folder.glob(f"*{suffix}") if STEM.fullmatch(path.stem)))
 
 

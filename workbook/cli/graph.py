@@ -20,7 +20,7 @@ _LAST_DOMAIN = 232
 
 
 class NoChoice(Exception):
-    """Several notebooks are open, but there is no terminal for asking which one is meant."""
+    """Several notebooks are open, but there is no terminal on which to ask the user which one is meant."""
 
 
 def register(subparsers: Any) -> None:
@@ -214,8 +214,9 @@ def choose_domain(
 ) -> int:
     """Return the domain to inspect: the requested one, the open notebook's, or the environment's.
 
-    If several notebooks are open and none is on the environment's domain, choose the only one with nodes, and print
-    which. If that isn't unique either, ask at a terminal. Without a terminal, raise NoChoice.
+    If several notebooks are open and none is on the environment's domain, choose the only one with nodes, and print its
+    name. If there isn't exactly one notebook with nodes, ask the user. Raises NoChoice if there is no terminal to ask
+    on.
     """
     if asked is not None:
         return asked

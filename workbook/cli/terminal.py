@@ -49,7 +49,7 @@ def _wrapped_line(line: str, indent: str, columns: int) -> str:
 def say(text: str, stream: TextIO | None = None) -> None:
     """Print sentences, wrapped to the terminal's width.
 
-    In a file or a pipe, don't wrap them unless COLUMNS is set.
+    When the output goes to a file or a pipe, don't wrap the sentences unless COLUMNS is set.
     """
     stream = stream or sys.stdout
     fits = stream.isatty() or "COLUMNS" in os.environ

@@ -56,9 +56,9 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
 
 
 def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
-    """Return a criterion's result, with sanitized texts.
+    """Return a criterion's result, with its text sanitized.
 
-    The texts may quote the program's output, which must not act as commands in a terminal or on a page.
+    The text may quote the program's output, which must not be interpreted as commands by a terminal or a page.
     """
     return CriterionResult(
         id=criterion.id,

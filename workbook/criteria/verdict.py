@@ -95,7 +95,7 @@ def partial(
     *,
     about_time: bool = False,
 ) -> Verdict:
-    """Return a verdict that earns a share of the criterion's points. `cause` is the id of why the rest isn't earned.
+    """Return a verdict that earns a share of the criterion's points. `cause`: the id of the reason for the loss.
 
     Raises ValueError if `share` isn't strictly between 0 and 1.
     """

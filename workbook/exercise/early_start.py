@@ -1,4 +1,6 @@
-"""Start an answer before importing the judge. Each takes a third of a second, and this way, the two overlap.
+"""Start an answer before importing the judge.
+
+Starting the answer and importing the judge each take a third of a second. In this order, the two overlap.
 
 This module imports nothing that needs ROS, so it can run first.
 """

@@ -89,7 +89,7 @@ def find_inconclusive_reason(
 
 
 def script_cut_short(recording: Recording) -> str:
-    """Describe the part of the script that was never sent; return "" if that doesn't matter.
+    """Describe the part of the script that was never sent; return "" if the missing part doesn't matter.
 
     A program doesn't get credit for input that it never received. One that ended by itself is judged by its end.
     """
@@ -172,9 +172,9 @@ def _end_aborted(lost: Sequence[CriterionResult]) -> str:
 
 
 def _node_seen_after_exit(recording: Recording) -> str:
-    """Return why a node may seem to outlive its program.
+    """Return the reason why a node may seem to outlive its program; empty if none does.
 
-    A participant announces only once that it leaves. If that message is lost on a busy machine, DDS doesn't repeat it.
+    A participant announces its departure only once. If that message is lost on a busy machine, DDS doesn't resend it.
     """
     process = recording.process
     if process.ended_by == "judge" and process.exit is not None:
@@ -213,9 +213,9 @@ def _judge_was_delayed(lost: Sequence[CriterionResult], recording: Recording, pl
 
 
 def _program_was_starved(lost: Sequence[CriterionResult], recording: Recording) -> str:
-    """Return why a lack of CPU time may have cost points: a program in the run queue is late with everything.
+    """Return why a lack of CPU time may have cost points: a program that waits in the run queue does everything late.
 
-    This doesn't apply to a program that an error ended, because the error cost the points.
+    This doesn't apply to a program that ended with an error, because then the error cost the points.
     """
     if recording.process.ended_by == "itself" and recording.process.exit:
         return ""
@@ -246,8 +246,8 @@ def _one_message_was_late(
 ) -> str:
     """Return why one late message may be the machine's fault: the publisher, or the message, may have had to wait.
 
-    A message that DDS lost arrives with the next one. A pause longer than the machine kept the program waiting is the
-    program's own. Without a required rate, no message counts as late.
+    A message that DDS lost arrives together with the next message. If a pause is longer than the time for which the
+    machine kept the program waiting, the program itself caused it. Without a required rate, no message counts as late.
     """
     if recording.clock != "wall" or not any(result.about_time for result in lost):
         return ""

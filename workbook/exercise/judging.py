@@ -46,10 +46,11 @@ class Judge:
     ) -> Judgement:
         """Judge one answer.
 
-        `soak`: a program that was judged on simulated time is started again and watched for eight real seconds, unless
-        `cancel_soak` cuts that short. Its behavior must not differ. A program on the wall clock is kept running for
-        that long instead. `report` receives each judgment before the final one. `started`: this answer, if it's already
-        running on the observer's domain. `seed`: the script's seed, for repeating a run; None draws a new seed.
+        `soak`: start a program that was judged on simulated time again, and watch it for eight real seconds, unless
+        `cancel_soak` cuts this watch short. The program must behave as before. A program on the wall clock isn't
+        started again, but kept running for eight seconds. `report` receives each judgment before the final one.
+        `started`: this answer, if it's already running on the observer's domain. `seed`: the script's seed, for
+        repeating a run; None draws a new seed.
         """
         exercise = exercise.drawn(secrets.randbits(SEED_BITS) if seed is None else seed)
         if started is None:

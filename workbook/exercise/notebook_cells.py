@@ -120,7 +120,7 @@ def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
 
 
 def _looks_like_code(text: str) -> bool:
-    """Return whether a cell may be part of a program: not a magic, and not just a line that displays a value."""
+    """Return whether a cell may be part of a program: it isn't a magic, and it contains more than a displayed value."""
     return not text.lstrip().startswith(("%", "!")) and bool(_CODE.search(text[:LONGEST_TEXT]))
 
 

@@ -115,7 +115,10 @@ class SimulatedTime:
         return self.case.spec, self.case.exercise.plan, "simulated"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
-        """Judge the program in simulated time. If that proves nothing, return the wall clock as the next phase."""
+        """Judge the program in simulated time.
+
+        If simulated time proves nothing, return the wall clock as the next phase.
+        """
         case = self.case
         judgement = case.observed(watch)
         if needs_wall_clock(case.exercise, case.answer, judgement):
@@ -159,7 +162,7 @@ class SecondStart:
     on_simulated: Judgement
 
     def watched(self) -> Watched:
-        """Return the program and a plan for real time, which lasts eight seconds or as long as the script takes."""
+        """Return the program and a plan to watch it in real time for at least eight seconds, until the script ends."""
         return self.case.spec, plan_of_second_start(self.case.exercise, self.on_simulated), "wall"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:

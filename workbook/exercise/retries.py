@@ -27,8 +27,8 @@ JudgeAll = Callable[[Sequence[Job]], Iterator[tuple[Job, Judgement]]]
 class Counting:
     """The judgment that counts among some tries, and why, as a sentence.
 
-    `number`: the index of the try that counts, from 0; None if none of them does. The sentence is empty for a single
-    try.
+    `number`: the index of the try that counts (the first try has index 0); None if no try counts. The sentence is empty
+    for a single try.
     """
 
     judgement: Judgement
@@ -63,10 +63,10 @@ def tries_of(
     report: Report = lambda _: None,
     stop: Callable[[], bool] = lambda: False,
 ) -> tuple[Judgement, ...]:
-    """Judge one answer, and repeat that while the judgment is inconclusive. Return all tries.
+    """Judge one answer, and judge it again while the judgment is inconclusive. Return all tries.
 
-    `report` receives each inconclusive try that is followed by another one, as provisional. `stop` is called before
-    each further try, and returns whether to give up.
+    If another try follows, `report` is called with the inconclusive judgment, marked as provisional. `stop` is called
+    before each further try, and returns whether to give up.
     """
     tries: tuple[Judgement, ...] = (judge(),)
     while _needs_another(tries) and not stop():
@@ -127,7 +127,7 @@ def what_counts(tries: Sequence[Judgement]) -> Counting:
 def _needs_another(tries: Sequence[Judgement]) -> bool:
     """Return whether another try is needed, because the last one decided nothing.
 
-    A first try that wasn't judged at all isn't repeated, because it has been tried often enough already.
+    If the first try couldn't be judged at all, no other try follows, because judging has been attempted often enough.
     """
     failed_later = len(tries) > 1 and tries[-1].status == "infra_error"
     return len(tries) < MOST_TRIES and (bool(tries[-1].inconclusive_reason) or failed_later)

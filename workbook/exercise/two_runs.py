@@ -35,7 +35,7 @@ MOST_WALL_S = 26.0
 
 
 def is_distrusted(answer: Answer) -> bool:
-    """Return whether simulated time proves nothing about a program: a callback spins, or it sets its own clock."""
+    """Return whether a program spins in a callback or sets its own clock, so that simulated time proves nothing."""
     return USE_SIM_TIME in answer.text or spins_in_a_callback(answer.text)
 
 
@@ -183,7 +183,7 @@ def _recordings(on_simulated: Judgement, on_wall: Judgement) -> tuple[Recording,
 def _ended_for_good(exercise: Exercise, recording: Recording) -> bool:
     """Return whether a program that ended by itself on simulated time had already run for long enough.
 
-    If it ended early, the wall clock shows its end as well.
+    If the program ended earlier, a run on the wall clock shows its end as well.
     """
     published = any(recording.topic(name).arrivals for name in exercise.periods)
     return published and recording.watched_s >= WORKED_PERIODS * exercise.plan.longest_period
@@ -210,6 +210,6 @@ def _is_final(recording: Recording, result: CriterionResult) -> bool:
 
 
 def _has_another_rate(simulated: Recording, real: Recording, topic: str) -> bool:
-    """Return whether a topic's rate in real time differs from its rate on simulated time, if it had messages there."""
+    """Return whether a topic that had messages on simulated time has a different rate in real time."""
     seen = intervals_of(simulated, topic)
     return bool(seen) and rates_differ(median(seen), real, topic)

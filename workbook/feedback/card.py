@@ -48,7 +48,7 @@ def _state_of(judgement: Judgement, is_on_screen: bool) -> str:
 
 
 def _headline(judgement: Judgement, extras: Extras) -> str:
-    """Return the headline. It doesn't praise a version that isn't on the screen."""
+    """Return the headline. It contains no praise if the version that was judged isn't the one on the screen."""
     if extras.is_on_screen or not wording.all_shown_hold(judgement):
         return wording.headline(judgement)
     score, most = map(wording.points, wording.shown_points(judgement))

@@ -66,7 +66,7 @@ def exhibit_of(judgement: Judgement) -> Exhibit | None:
 
 
 def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
-    """Return the other visible criteria that failed or passed in part."""
+    """Return the visible criteria that failed or passed only partially, except the first one."""
     return [one for one in visible(judgement) if one.status in ("failed", "partial")][1:]
 
 
@@ -138,7 +138,7 @@ def inconclusive_line(judgement: Judgement, *, is_graded: bool = False) -> str:
 
 
 def hidden_line(judgement: Judgement) -> str:
-    """Return a sentence with the number of hidden criteria; empty if there are none."""
+    """Return a sentence that states the number of hidden criteria; empty if there are none."""
     count = hidden_count(judgement)
     if not count:
         return ""

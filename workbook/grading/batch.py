@@ -141,7 +141,10 @@ class Batch:
         return [one for one in found if not self._is_ours(one.path)]
 
     def _is_ours(self, path: Path) -> bool:
-        """Return whether grading itself wrote this file or folder, because `out` may be among the answers."""
+        """Return whether grading itself wrote this file or folder.
+
+        This can happen because the folder `out` may be inside the folder of answers.
+        """
         path, out = path.resolve(), self._out.resolve()
         if path.is_dir() and (path == out or (path / RESULTS).is_file()):
             return True

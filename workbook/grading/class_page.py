@@ -202,9 +202,10 @@ class _Cause:
 
 
 def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Cause]:
-    """Group the lost criteria by cause, and return the causes, most frequent first.
+    """Group the failed criteria by cause, and return the causes, most frequent first.
 
-    Two criteria have the same cause if they are the same criterion and have the same explanation, except for numbers.
+    Two failures have the same cause if they are failures of the same criterion, and their explanations differ at most
+    in numbers.
     """
     found: dict[tuple[str, str], list[tuple[str, CriterionLine]]] = defaultdict(list)
     for row in graded:

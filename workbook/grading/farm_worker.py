@@ -62,7 +62,7 @@ def rclpy_version() -> str:
 
 
 def python_version() -> str:
-    """Return Python's version without the patch number, such as 3.12."""
+    """Return the Python version without its patch number, such as 3.12."""
     return ".".join(platform.python_version_tuple()[:2])
 
 

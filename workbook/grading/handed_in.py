@@ -29,7 +29,7 @@ def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) ->
 
 
 def with_a_hand_in(out: Path, results: Iterable[Result]) -> list[Result]:
-    """Return the results without the students whose hand-in is gone.
+    """Return the results, leaving out those whose hand-in no longer exists.
 
     Keep an exercise's results if there's no list of its hand-ins.
     """

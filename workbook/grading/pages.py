@@ -23,7 +23,7 @@ TEXT_COLORS = {"light": variables(ON_LIGHT), "dark": variables(ON_DARK)}
 
 
 def page_name(student: str, exercise: str) -> str:
-    """Return a file name that's unique to this student, whatever characters the name contains."""
+    """Return a file name that's unique to this student, whatever characters the student's name contains."""
     plain = re.sub(r"[^A-Za-z0-9]+", "-", student).strip("-").lower()[:40]
     return (
         f"{exercise}-{plain}-{hashlib.sha256(student.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}.html"

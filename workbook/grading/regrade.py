@@ -30,8 +30,8 @@ class CriterionChange:
 class Regraded:
     """The effect of judging one student's result again.
 
-    `problem`: why it couldn't be judged again; empty if it could. `criteria`: the criteria whose points changed, and
-    those that were added or removed.
+    `problem`: why the answer couldn't be judged again; empty if it could be. `criteria`: the criteria whose points
+    changed, and those that were added or removed.
     """
 
     student: str

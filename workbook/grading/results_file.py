@@ -89,7 +89,7 @@ class Done(NamedTuple):
 def done_before(path: Path, exercise: str) -> dict[str, Done]:
     """Return the earlier results of one exercise, keyed by student.
 
-    They contain little data, so that even a large class's results fit into memory.
+    They contain so little data that even a large class's results fit into memory.
     """
     return {
         result.student: Done(

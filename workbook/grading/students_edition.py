@@ -165,7 +165,7 @@ def _into(files: dict[str, bytes], folder: Path) -> Edition:
 
 
 def _earlier(folder: Path) -> dict[str, str]:
-    """Return the hash of each file that an earlier run wrote, keyed by name; empty for a new folder."""
+    """Return the hashes of the files that an earlier run wrote, keyed by file name; empty for a new folder."""
     if not folder.exists() or not any(one.name != ".git" for one in folder.iterdir()):
         return {}
     try:

@@ -19,8 +19,8 @@ def requests(
 ) -> Iterator[Request]:
     """Yield the requests one by one until the other end of the channel is closed.
 
-    `ended`: a descriptor that becomes readable when a child ends; then `look_after_ended` is called. None if the caller
-    doesn't need that. The caller must close each request's descriptors.
+    `ended`: a descriptor that becomes readable when a child ends, at which point `look_after_ended` is called; None if
+    the caller doesn't need this call. The caller must close each request's descriptors.
     """
     while True:
         if ended is not None:

@@ -47,8 +47,8 @@ FAILED = 126
 class Request:
     """A request to start a program. `arguments`: those for `host.main`.
 
-    `namespaces_of`: the process ID of the first process in the sandbox that the program joins; 0 for none. `folder`:
-    the program's working folder. `reads`: whether the last descriptor is the program's standard input.
+    `namespaces_of`: the process ID of the first process in the sandbox that the program joins; 0 for no sandbox.
+    `folder`: the program's working directory. `reads`: whether the last descriptor is the program's standard input.
     """
 
     namespaces_of: int

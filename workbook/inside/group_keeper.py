@@ -21,7 +21,10 @@ LONGEST_REMOVAL_S = 30.0
 
 
 def keep(folder: str, prefix: str) -> None:
-    """Create a group, wait, and remove the group. Raises OSError if it can't be created."""
+    """Create a group, print its path, and remove it when standard input is closed.
+
+    Raises OSError if the group can't be created.
+    """
     group, lock = make_locked(folder, prefix)
     try:
         divide_group(group)
@@ -54,7 +57,10 @@ def _make_locked_once(folder: str, prefix: str) -> tuple[str, int]:
 
 
 def main(arguments: list[str]) -> None:
-    """Keep a group, with the arguments described above. Ignore signals, which are for the grading process."""
+    """Hold a group for the grading process, and ignore signals, because they're meant for that process.
+
+    `arguments`: the command-line arguments that the module's docstring describes.
+    """
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     try:

@@ -57,8 +57,8 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
 def restrict_to(read: list[str], write: list[str]) -> None:
     """Hide all files permanently, except those at or below the paths in `read` and `write`.
 
-    If the kernel supports it, also block signals to processes outside, and TCP. Call `drop_capabilities` first. Raises
-    OSError if there's no Landlock.
+    If the kernel supports it, also block TCP, and signals to processes outside the sandbox. Call `drop_capabilities`
+    first. Raises OSError if there's no Landlock.
     """
     abi = landlock_abi()
     if abi == 0:

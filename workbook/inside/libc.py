@@ -25,7 +25,7 @@ def set_parent_death_signal(number: signal.Signals = signal.SIGKILL) -> None:
 def die_with_parent(parent: int) -> None:
     """Have the kernel kill this process when its parent process `parent` ends.
 
-    If that has already ended, exit right away.
+    If the parent has already ended, exit right away.
     """
     set_parent_death_signal()
     if os.getppid() != parent:

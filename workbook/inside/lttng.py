@@ -1,4 +1,4 @@
-"""Prepare LTTng, a tracing library that rclpy's wheels load, for forks of this process."""
+"""Tell LTTng when this process is forked. LTTng is a tracing library that rclpy's wheels load."""
 
 import ctypes
 import os

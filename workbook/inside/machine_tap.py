@@ -29,7 +29,7 @@ Note = dict[str, Any]
 
 
 class _Watched:
-    """Awaits a callback, and records when it pauses and resumes, because an `await` in a callback frees its thread."""
+    """Awaits a callback, and records when it pauses and resumes. While it's paused, its thread can do other work."""
 
     def __init__(self, awaited: Awaitable[Any], call: Note) -> None:
         self._awaited, self._call = awaited, call

@@ -15,10 +15,11 @@ OF_A_SLOT = NEWUSER | NEWNS | NEWIPC | NEWNET
 
 
 def join_namespaces(first: int, spaces: int) -> None:
-    """Enter the namespaces in `spaces` (flags) of the process `first`. Raises OSError.
+    """Enter those namespaces of the process with the ID `first` that the flags in `spaces` select. Raises OSError.
 
     This process must have only one thread. It may enter namespaces that its own user created, if it enters all of them
-    in one call. Afterward, it has no rights outside. A PID namespace takes effect only for its children.
+    in one call. Afterward, it has no rights outside of these namespaces. A PID namespace takes effect only for the
+    process's children.
     """
     descriptor = os.pidfd_open(first)
     try:

@@ -394,7 +394,7 @@ def idle_and_all_s(stat: str | os.PathLike[str] = PROC_STAT) -> tuple[float, flo
 
 
 def knows_ids(first: int, count: int) -> bool:
-    """Return whether `count` IDs from `first` on exist in this container, as user IDs and as group IDs."""
+    """Return whether the `count` IDs starting at `first` exist in this container, both as user IDs and as group IDs."""
     for table in ("/proc/self/uid_map", "/proc/self/gid_map"):
         try:
             rows = [[int(number) for number in line.split()] for line in read_text(table).splitlines()]
@@ -418,7 +418,7 @@ def system_v_ipc(table: str) -> list[dict[str, str]]:
 
 
 def mapped_libraries(name: str, table: str = "/proc/self/maps") -> set[str]:
-    """Return the paths of files mapped into this process whose file name begins with `name`.
+    """Return the paths of the files that are mapped into this process and whose names begin with `name`.
 
     The paths may contain spaces.
     """

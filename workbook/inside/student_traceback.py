@@ -22,10 +22,10 @@ STILL_RUNNING = "Still running:"
 
 
 def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary], bool]) -> str:
-    """Format an exception's traceback with its causes, but without the frames of this folder's files.
+    """Format an exception's traceback, including its causes but leaving out frames from files in this folder.
 
-    `ends_with_host`: whether a frame is the one that imported the answer. That frame and the frames before it are left
-    out, too.
+    `ends_with_host`: tells whether a given frame is the one that imported the answer. That frame and the frames before
+    it are left out, too.
     """
     for raised in _chained(error):
         note = note_of(raised) or note_of_name(raised)

@@ -137,8 +137,8 @@ def knows_this_machine() -> bool:
 def filter_problem() -> str:
     """Return why no system call filter can be installed on this machine, as a clause; empty if one can.
 
-    A kernel that lets this process install a filter first reads the filter. Because we pass none, that fails with
-    EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
+    A kernel that lets this process install a filter begins by reading the filter. We pass a null pointer, so reading
+    fails with EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
     """
     if not knows_this_machine():
         return f"the filter does not know the system calls of this machine ({os.uname().machine})"

@@ -65,7 +65,7 @@ class ConfinedProgram:
         )
 
     def environment(self, environ: Mapping[str, str]) -> dict[str, str]:
-        """Return the program's environment, without the judge's variables, and with paths that the program can read."""
+        """Return the environment for the program: without the judge's variables, and with paths that it can read."""
         inside = {name: value for name, value in environ.items() if name not in NOT_FOR_OTHER_USERS}
         inside |= {name: str(self.scratch) for name in ("HOME", "TMPDIR", "ROS_LOG_DIR")}
         inside["PATH"] = PATH_OF_PROGRAMS
@@ -103,7 +103,7 @@ class ConfinedProgram:
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """Measures the files that the program writes."""
+        """Measures how much the program writes to files."""
         return WrittenFiles(self.scratch)
 
     def most_files(self, pids: Sequence[int]) -> int:

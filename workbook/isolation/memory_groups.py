@@ -78,7 +78,7 @@ def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierar
 
 
 class MemoryGroup:
-    """The group of one answer, with the answer's limits. Raises OSError if the kernel doesn't allow it."""
+    """The memory cgroup for one answer, with the answer's limits. Raises OSError if the kernel doesn't allow it."""
 
     def __init__(self, folder: Path, limits: Limits) -> None:
         self.version = version_of(str(folder))

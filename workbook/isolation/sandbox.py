@@ -129,7 +129,7 @@ class SandboxedFork:
 class Sandbox:
     """One program's sandbox. See `workbook.programs.tier.Confinement`.
 
-    `readable`: the files that the program may read in addition to its own. If there's a `server`, it forks the program
+    `readable`: the files that the program may read in addition to its own. If `server` is given, it forks the program
     into the sandbox.
     """
 
@@ -236,7 +236,7 @@ class Sandbox:
     def sockets(self, pids: Sequence[int]) -> int:
         """Return how many sockets have been added to our network since the start.
 
-        The program and this process share that network. Sockets that are in transit between processes count, too.
+        The program and this process share our network. Sockets that are in transit between processes count, too.
         """
         return proc.sockets_of_network() - self._sockets_before
 
@@ -268,10 +268,10 @@ class Sandbox:
 class SandboxTier:
     """The "sandbox" tier. See `workbook.programs.tier.Tier`.
 
-    A `server` forks programs into their sandboxes, so that Python isn't started for each of them. If there's an
-    `alternate`, one of the two servers is chosen at random for each program. All of a server's programs have the same
-    hash seed for strings. So without an alternate, an answer that depends on a set's order would get the same verdict
-    on every try. `readable`: the files that programs may read in addition to their own.
+    A `server` forks programs into their sandboxes, so there is no need to start Python for each one. If `alternate` is
+    given, one of the two servers is chosen at random for each program. All of a server's programs have the same hash
+    seed for strings. So without an alternate, an answer that depends on a set's order would get the same verdict on
+    every try. `readable`: the files that programs may read in addition to their own.
     """
 
     server: ForkServer | None = None

@@ -1,4 +1,4 @@
-"""The "uid" tier: as root, give each slot a separate user ID. If the kernel has Landlock, it also hides files."""
+"""The "uid" tier, which runs as root and gives each slot its own user ID. With Landlock, it also hides files."""
 
 import os
 from dataclasses import dataclass, field
@@ -38,7 +38,7 @@ class UserProgram(ConfinedProgram):
         return brought
 
     def give(self) -> Path:
-        """Create the package like the base class, but in folders that only root and the program's user can read."""
+        """Create the package as the base class does, but in folders that only root and the program's user can read."""
         package = super().give()
         for folder in (package.parent, package):
             os.chown(folder, 0, self.ids.user)
@@ -63,7 +63,7 @@ class UserProgram(ConfinedProgram):
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """Measures how much the program writes to `scratch`, and its user to folders that everyone may write to."""
+        """Measures how much the program writes to `scratch`, and how much its user writes to world-writable folders."""
         return WrittenFiles(self.scratch, shared_folders(), self.ids.user)
 
     def sweep(self) -> bool:

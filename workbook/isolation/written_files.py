@@ -93,7 +93,8 @@ class SharedMemory:
     def bytes_of(self, pids: Sequence[int], elsewhere: int) -> int:
         """Return how many bytes these processes may have written to shared memory.
 
-        Return zero if its use has hardly grown. `elsewhere`: the number of bytes that they have written to other files.
+        Return zero if the use of shared memory has hardly grown. `elsewhere`: the number of bytes that they have
+        written to other files.
         """
         if self._space_in_use() < self._in_use + WORTH_A_LOOK:
             return 0

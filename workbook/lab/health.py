@@ -72,7 +72,7 @@ def check_python() -> HealthFinding:
 
 
 def leftovers(environ: Mapping[str, str]) -> list[str]:
-    """Return the names of variables that a sourced ROS or another environment left behind."""
+    """Return the names of environment variables that a sourced ROS installation or another environment left behind."""
     from workbook.ros.environment import is_leftover
 
     return sorted(name for name in environ if is_leftover(name))

@@ -20,8 +20,9 @@ NEW_COPY = "rclpy-workbook"
 def student_folder() -> Path:
     """Return the folder of the student's copy: in a clone, `work/`. Raise NoCourse if there is no course.
 
-    With a wheel, it's the current folder or the nearest parent that is a copy. Without one, it's the current folder if
-    that is empty and isn't the home folder, else its subfolder `rclpy-workbook`.
+    If the course was installed from a wheel, it's the current folder or its nearest parent that is a copy. If no such
+    folder exists, it's the current folder, provided that this folder is empty and isn't the home folder; otherwise,
+    it's the subfolder `rclpy-workbook`.
     """
     course = course_folder()
     if not is_from_wheel():

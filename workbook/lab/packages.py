@@ -58,7 +58,7 @@ def differing(lock: str, version: Callable[[str], str | None] = installed_versio
 
 
 def in_words(packages: list[Differing]) -> str:
-    """List the packages with both versions, at most the first six."""
+    """List at most the first six packages, each with its installed and its locked version."""
     said = [f"{one.name} {one.found or 'missing'} (locked: {one.locked})" for one in packages[:_MOST]]
     more = len(packages) - _MOST
     return ", ".join(said) + (f", and {more} more" if more > 0 else "")

@@ -25,8 +25,8 @@ class StudyPace:
 
     A cell counts as read if it was sent at least `AT_LEAST_S` after the previous cell, and not within `BY_ITSELF_S`
     after that cell ended. JupyterLab sends all cells of a Run All together; VS Code sends each cell when the previous
-    one has ended. The first cell of a Run All looks as if a person ran it. So it no longer counts as read if the next
-    cell follows too soon.
+    one has ended. The first cell of a Run All looks as if a person ran it, so it's counted as read at first. If the
+    next cell follows too soon, it no longer counts.
     """
 
     def __init__(self) -> None:
@@ -36,7 +36,10 @@ class StudyPace:
         self._ended = 0.0
 
     def takes_back(self, sent: float) -> str | None:
-        """Return the last cell's ID if it counted as read but the cell sent at `sent` followed too soon; else None."""
+        """Return the ID of the last cell if it shouldn't have been counted as read; otherwise, return None.
+
+        That is the case if the next cell, which was sent at `sent`, followed too soon.
+        """
         if self._sent is None:
             return None
         too_soon = sent - self._sent < AT_ONCE_S or 0 <= sent - self._ended < BY_ITSELF_S
@@ -76,7 +79,7 @@ def _sent_at() -> float:
 
 
 def note_prediction(about: str, choice: str) -> None:
-    """Save the choice for a prediction, or for the experiment `about`. Outside of lessons, do nothing."""
+    """Save the student's choice for the prediction or experiment named `about`. Outside of lessons, do nothing."""
     stem = lesson_stem()
     if stem is None:
         return
@@ -88,7 +91,7 @@ def note_prediction(about: str, choice: str) -> None:
 
 
 def note_outcome_seen(name: str) -> None:
-    """Record that a prediction's outcome was shown. From now on, the choice can't be changed."""
+    """Record that a prediction's outcome was shown. Afterward, the student can't change the choice."""
     stem = lesson_stem()
     if stem is None:
         return

@@ -84,7 +84,7 @@ class Check:
         self._noted = True
 
     def best_of_another_version(self) -> float | None:
-        """Return the best version's points if this check judged a different version; else None."""
+        """Return the best version's points if this check judged a different version, or None otherwise."""
         best = best_text(self._stem)
         if best is None or same_program(best, self._text):
             return None

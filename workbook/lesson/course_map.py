@@ -218,7 +218,10 @@ def course_map(
 
 
 def _state(lesson: LessonText, progress: LessonProgress, exercise: ExerciseState | None) -> LessonState:
-    """Return a lesson's state. A prediction's cell counts as read once the prediction is made, however it was run."""
+    """Return a lesson's state.
+
+    The cell of a prediction counts as read once the student has made the prediction, even if a Run All ran the cell.
+    """
     read = {one.id for one in lesson.cells if one.id in progress.read or one.asks in progress.predictions}
     asked = sum(bool(one.asks) for one in lesson.cells)
     left = [one for one in lesson.cells if one.id not in read]

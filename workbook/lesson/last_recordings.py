@@ -21,7 +21,10 @@ class LastRecording:
 
 
 def keep_recording(judgement: Judgement, folder: Path | None = None) -> None:
-    """Replace an exercise's saved recording with this check's. If the disk is full, only the recording is lost."""
+    """Replace an exercise's saved recording with the one from this check.
+
+    If the disk is full, only the recording is lost.
+    """
     if judgement.recording is None:
         return
     path = _file(judgement.stem, folder)

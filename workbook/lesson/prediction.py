@@ -38,9 +38,9 @@ class Prediction:
         return next(option for option in self.options if option.letter == letter)
 
     def decided_by(self, measured: Mapping[str, object]) -> str | None:
-        """Return the letter of this run's outcome; None if `measured` fits no option, or more than one.
+        """Return the letter of this run's outcome; None unless `measured` fits exactly one option.
 
-        If no option has a condition, a run can't decide, so the usual outcome counts.
+        If no option has a condition, the outcome doesn't depend on the run, so the usual outcome counts.
         """
         conditions = {option.letter: option.when for option in self.options if option.when}
         if not conditions:

@@ -27,9 +27,8 @@ POLL_S = 0.02
 AT_WORK_WITHIN_S = 30.0
 """How long (s) a program may take to open its DDS ports on a busy machine."""
 SETTLE_S = 1.0
-"""How long (s) to wait after the ports are open. By then, imports and discovery are over, so only the work itself is
-measured.
-"""
+"""How long (s) to wait after the ports are open. After this wait, imports and discovery are over, so only the work
+itself is measured."""
 
 own_server.keep()  # a lesson runs many programs
 _started: dict[str, NodeProcess] = {}
@@ -77,7 +76,7 @@ def stop(program: Program | None = None) -> None:
 
 
 def still_running() -> list[str]:
-    """Return the names of programs that `start` started and that are still running."""
+    """Return the names of the programs launched by `start` that are still running."""
     return [name for name, process in _started.items() if process.is_running()]
 
 

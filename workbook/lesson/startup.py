@@ -29,9 +29,9 @@ POLL_S = 0.02
 def wait_until_it_serves(process: NodeProcess, node: str) -> None:
     """Wait until a node responds to a service request, which only a spinning node does.
 
-    `node`: its fully qualified name. A node is in the graph as soon as its base class is initialized. Later lines of
-    the program may still fail, so seeing the node's name isn't enough. Return early if the program ends, or if it has
-    been idle for three seconds without a response. The longest wait is 30 seconds.
+    `node`: the node's fully qualified name. A node is in the graph as soon as its base class is initialized. Later
+    lines of the program may still fail, so seeing the node's name isn't enough. Return early if the program ends, or if
+    it has been idle for three seconds without a response. The longest wait is 30 seconds.
     """
     context = kernel_node().context
     client_node = Node(

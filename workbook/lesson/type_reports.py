@@ -56,10 +56,10 @@ def check_types(
 ) -> TypeReport:
     """Check a program with mypy, and return its findings.
 
-    `program`: the program's text, its file, a module, or the name of an exercise, for your answer to it. `stubs`: use
-    the course's stubs for message packages (`workbook/typings`) instead of only the installed ROS packages. `strict`:
-    every function must be annotated; with stubs, explicit Any isn't allowed either. `notes`: also show the output of
-    `reveal_type`.
+    `program`: the program's source text, the path of its file, a module, or the name of an exercise, whose answer is
+    then checked. `stubs`: use the course's stubs for message packages (`workbook/typings`), rather than only the
+    installed ROS packages. `strict`: every function must be annotated; with stubs, explicit Any isn't allowed either.
+    `notes`: also show the output of `reveal_type`.
     """
     text = _text_of(program)
     if stubs:

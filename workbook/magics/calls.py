@@ -15,7 +15,7 @@ class CallChecker(PrefilterChecker):
     priority = Integer(650).tag(config=True)
 
     def check(self, line_info: Any) -> Any:
-        """Return the handler for plain Python if the line begins with a call; else None."""
+        """Return the handler for plain Python if the line begins with a call, or None otherwise."""
         manager: Any = self.prefilter_manager
         is_call = not line_info.esc and line_info.the_rest.startswith("(")
         return manager.get_handler_by_name("normal") if is_call else None

@@ -1,4 +1,4 @@
-"""Judge the answer file for `%check` in a judge that's already running (a warm slot), and build the card."""
+"""Judge the answer file for `%check` in a judge that's already running (a "warm" slot), and build the result card."""
 
 import os
 from collections.abc import Callable
@@ -32,9 +32,9 @@ def judge(
     stop: Callable[[], bool] = lambda: False,
     progress: ShowProgress | None = None,
 ) -> Judgement:
-    """Judge an answer on the warm slot, or have the class's judging service judge it.
+    """Judge an answer in the slot that is kept ready, or send it to the class's judging service.
 
-    Repeat this while the result is inconclusive and `stop()` returns False, at most three times.
+    Judge the answer again while the result is inconclusive and `stop()` returns False, at most three times.
     """
 
     service = os.environ.get(ADDRESS)
@@ -67,8 +67,8 @@ def _timeline(
 class Asked:
     """The answer that a `%check` judges.
 
-    `version`: the version that was run, if we couldn't read the screen; else None. `replays`: whether the front end
-    itself moves the robot on the card.
+    `version`: the version of the answer that was run if we couldn't read the one on the screen, or None otherwise.
+    `replays`: whether the notebook's front end, rather than the kernel, moves the robot on the result card.
     """
 
     exercise: Exercise

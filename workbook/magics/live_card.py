@@ -111,7 +111,7 @@ class LiveCard:
             import_module(ROBOT_ON_CARD)  # imported only now, so that it delays nothing else
 
     def _wait(self, progress: Progress | None) -> None:
-        """Show the progress until there's a card.
+        """Show progress until the card is ready.
 
         The output stays empty for the first `BLANK_S` seconds, because most checks finish within that time.
         """

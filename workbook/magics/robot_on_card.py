@@ -172,7 +172,7 @@ def _bounded(events: list[Event]) -> list[Event]:
 
 
 def _glide(events: list[Event]) -> int:
-    """Return how long (ms) the robot takes to reach a pose. If poses are rare, it takes longer."""
+    """Return how long (ms) the robot should take to reach a pose. The less often poses arrive, the longer it takes."""
     poses = [moment for moment, news in events if "pose" in news]
     gaps = sorted(later - earlier for earlier, later in zip(poses, poses[1:], strict=False))
     fastest, slowest = GLIDES_MS

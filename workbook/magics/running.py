@@ -38,7 +38,7 @@ class Running:
         return process
 
     def start(self, stem: str, program: Path, driver: Path | None = None) -> NodeProcess:
-        """Start `program`. First end an earlier run for the same exercise, but let the partner run on."""
+        """Start `program`. First end any earlier run of the same exercise, but leave its partner running."""
         self._end_program(stem)
         process = self._process(program, driver)
         self._programs[stem] = process

@@ -68,7 +68,7 @@ def answer_on_screen(request: Any, stem: str) -> str | None:
 def version_that_ran(stem: str, names: dict[str, Any]) -> Version:
     """Describe the version in the answer file.
 
-    `names`: the kernel's variables, because VS Code stores the notebook's path in one of them.
+    `names`: the kernel's variables. They're needed because VS Code stores the notebook's path in one of them.
     """
     file = answer_file(stem)
     moment = file.stat().st_mtime

@@ -14,7 +14,7 @@ STRIDE = 4
 
 @dataclass(frozen=True)
 class Detection:
-    """One detected object: the center of its box and its size, in pixels of the given image.
+    """One detected object: the center and the size of its bounding box, in pixels of the given image.
 
     `label`: one of `LABELS`. `score`: the network's confidence, from 0 to 1, which isn't a probability.
     """

@@ -22,7 +22,7 @@ CHANNELS = ("pitch", "pitch_rate", "hip", "knee")
 """The torso's tilt from the IMU (rad), its rate of change from the gyroscope (rad/s), and two joint angles (rad)."""
 KINDS = ("stands", "bows", "is pushed", "falls")
 ON_THE_GROUND = 1.2
-"""The body's tilt (rad) from which on the robot counts as lying on the ground, which ends an episode."""
+"""If the body's tilt (rad) exceeds this value, the robot counts as lying on the ground, which ends the episode."""
 STEPS = 4
 """How many simulation steps of the pendulum there are per sample."""
 
@@ -110,7 +110,7 @@ def _episode(kind: str, generator: np.random.Generator) -> Episode:
 def _body(event_s: float, push: float, slips_s: float | None, phase: float) -> tuple[Floats, Floats]:
     """Return the tilt (rad) and tilt rate (rad/s) of a body that is pushed once, at `event_s`.
 
-    From `slips_s` on, the body is no longer held upright. If it's None, the body never falls.
+    At `slips_s`, the body stops being held upright. If `slips_s` is None, the body never falls.
     """
     tilts, rates = [], []
     tilt = rate = 0.0

@@ -60,7 +60,7 @@ def targets(number: int, pinhole: Pinhole) -> tuple[Floats, Floats]:
 
 
 def examples(number: int = IMAGES) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """Return `number` images, their target outputs, and which squares count (see `targets`)."""
+    """Return `number` images, their target outputs, and the masks of squares that count (see `targets`)."""
     pinhole = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
     camera = DeskCamera(pinhole, SEED)
     pictures = [to_input(camera.picture(tabletop(SEED, one), one))[0] for one in range(number)]

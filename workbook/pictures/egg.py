@@ -27,9 +27,9 @@ def squeezed_mm(late_ms: float, after_touch_ms: float) -> float:
 
 
 def squeeze(late_ms: Mapping[str, float], description: str) -> Still:
-    """Show in slow motion how two fingers squeeze each of several eggs, which are next to each other.
+    """Show, in slow motion, two fingers squeezing each of several eggs that are drawn side by side.
 
-    `late_ms`: for each egg, by its title, the delay (ms) after which the fingers stop. `description` is the alternative
+    `late_ms` maps each egg's title to the delay (ms) after which the fingers stop. `description` is the alternative
     text.
     """
     last = round(max(late_ms.values())) + _AFTER_MS

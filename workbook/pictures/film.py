@@ -15,7 +15,7 @@ PHOTO_QUALITY = 55
 
 
 def film(pictures: Sequence[bytes], *, per_second: float, exact: bool = True) -> bytes:
-    """Return an animated WebP made of PNG frames of the same size. It plays once, and stops at its last frame.
+    """Return an animated WebP made from PNG frames of the same size. It plays once, and stops at its last frame.
 
     `exact`: keep every pixel unchanged, which suits drawings. Without it, camera images take much less space. Raises
     ValueError if there are no frames.

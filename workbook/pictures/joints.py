@@ -177,7 +177,10 @@ class Skeleton:
     legs: tuple[Limb, Limb]
 
     def on_torso(self, x: float, y: float) -> Point:
-        """Convert a point from the torso's frame: its origin is the waist; x points to your right, y to the neck."""
+        """Convert a point from the torso's frame.
+
+        The frame's origin is the waist. The x axis points to the viewer's right, and the y axis points toward the neck.
+        """
         return _turned(self.waist, self.lean, x, y)
 
     def on_head(self, x: float, y: float) -> Point:

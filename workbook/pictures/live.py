@@ -24,7 +24,7 @@ class Screen(Protocol):
         """Replace the frame with the next one."""
 
     def finish(self, still: Still) -> None:
-        """Leave the last frame."""
+        """Leave the last frame on display."""
 
 
 class CellOutput:

@@ -20,7 +20,7 @@ from workbook.recording.machine import Call, Item, MachineRecording
 from workbook.templating import render
 
 SOON_S = 0.02
-"""A tick that is served within this time gets no separate frame; only its callback does."""
+"""If a tick is served within this time (s), the film has no separate frame for the tick, only one for its callback."""
 LOOK_S = 0.25
 """While nothing new happens, there is a frame about this often."""
 SHORTEST_MS, LONGEST_MS, LAST_MS = 320, 700, 2500

@@ -73,7 +73,7 @@ class ShapeRecorder(Canvas):
     def box(
         self, corner: Point, size: Point, paint: Paint, *, radius: float = 0.0, at: Affine2D | None = None
     ) -> None:
-        """Draw a box that isn't rotated."""
+        """Draw an unrotated box."""
         x, y = corner if at is None else at.transform(corner)
         self._keep(
             "rect", paint, x=x, y=y, width=size[0], height=size[1], rx=min(radius, *np.divide(size, 2))

@@ -14,9 +14,9 @@ def domains_of(pids: Sequence[int]) -> tuple[int, ...]:
 def domains_of_ports(ports: Collection[int]) -> tuple[int, ...]:
     """Return the ROS domains whose participants listen on these UDP ports.
 
-    A participant listens on two ports. Discovery uses a port with an even offset of at least 10 in its domain's range;
-    messages use the next port. A port without such a neighbor is one that a participant sends from, which the system
-    chose.
+    A participant listens on two neighboring ports. The first one is for discovery: its offset within its domain's range
+    is even and at least 10. The next port is for messages. A port without such a neighbor is one that the system chose
+    for a participant to send from.
     """
     found = {
         domain_of_port(port)

@@ -114,7 +114,7 @@ def request_fork(channel: socket.socket, request: Mapping[str, object], descript
     """Ask a server to fork a program.
 
     Return the descriptor from which to read the server's reports on the program. Raises OSError if the server is gone.
-    `descriptors`: the descriptors to send for the program, such as its output.
+    `descriptors`: the file descriptors to pass to the program, such as the one for its output.
     """
     status_fd, theirs = os.pipe()
     try:
@@ -188,9 +188,10 @@ class ForkServer:
         environ: Mapping[str, str],
         folder: str,
     ) -> ForkedProgram:
-        """Fork a program into the namespaces of the process `namespaces_of`, or into none (0). Raises NotForked.
+        """Fork a program into the namespaces of the process whose ID is `namespaces_of`. Raises NotForked.
 
-        `environ` replaces the order's environment. `folder`: the program's working folder.
+        If `namespaces_of` is 0, the program enters no namespaces. `environ` replaces the environment in `order`.
+        `folder`: the program's working directory.
         """
         request = {
             "namespaces_of": namespaces_of,

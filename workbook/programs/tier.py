@@ -95,7 +95,7 @@ class Confinement(Protocol):
         """Return the number of files in the program's fullest folder; zero if the tier doesn't limit files."""
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Return how many bytes the program has written to shared file systems; zero if it has private ones."""
+        """Return how many bytes the program has written to shared file systems; zero if they're private."""
 
     def sockets(self, pids: Sequence[int]) -> int:
         """Return how many sockets the program has open.
@@ -104,10 +104,10 @@ class Confinement(Protocol):
         """
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return how many unread bytes the sockets in the program's separate network hold.
+        """Return the number of unread bytes held by the sockets in the program's separate network namespace.
 
-        The result may be zero if they hold at most `worth_counting` bytes. It's zero if the program uses the machine's
-        network.
+        If the sockets hold at most `worth_counting` bytes, the result may be zero. If the program uses the machine's
+        network, the result is always zero.
         """
 
     def exceeded(self) -> str | None:

@@ -110,7 +110,10 @@ class MachineRecording:
         return [call for call in self.calls if call.runs(now)]
 
     def looks(self, now: float) -> bool:
-        """Return whether a thread is or could be in the wait set. An only thread can't be while it runs a callback."""
+        """Return whether a thread is or could be in the wait set.
+
+        The only thread of an executor can't be while running a callback.
+        """
         busy = [call for call in self.running(now) if not call.is_paused(now)]
         return self.spins(now) and (self.threads > 1 or not busy)
 

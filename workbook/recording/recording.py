@@ -201,10 +201,10 @@ class ProcessRecord:
     """How the program ran and ended. `ended_by` is "itself", "judge", or None while it runs.
 
     `log` is its output up to the judge's Ctrl-C, `end_log` its output after that. `processor`: on the wall clock, pairs
-    of wall time (s) and the CPU time (s) used until then. `printed_at`: when the last text of `log` arrived (wall time,
-    s). `driver_key`: the key with which a driver signed its reports, in hexadecimal. It's empty if there was no driver,
-    and in old recordings. `unfiltered`: a clause that says why the sandbox tier couldn't filter system calls. It's
-    empty if they were filtered, or if the tier doesn't filter any.
+    of a wall time (s) and the CPU time (s) that the program had used by that time. `printed_at`: when the last text of
+    `log` arrived (wall time, s). `driver_key`: the key with which a driver signed its reports, in hexadecimal. It's
+    empty if there was no driver, and in old recordings. `unfiltered`: a clause that says why the sandbox tier couldn't
+    filter system calls. It's empty if they were filtered, or if the tier doesn't filter any.
     """
 
     program: str = ""
@@ -237,24 +237,25 @@ class Stretch:
 class Recording:
     """One recorded run of a program: what it published, received, and called, and how its process ran and ended.
 
-    `watched_s`: how long (s) the watch lasted, in simulated time or, on the wall clock, in real time. `wall_s`: how
-    long (s) it took in real time. `stretches`: the stretches of simulated time, in order.
+    `watched_s`: how long (s) the watch lasted: in simulated time, or in real time if the watch used the wall clock.
+    `wall_s`: how long (s) the watch took in real time. `stretches`: the intervals of simulated time, in order.
 
     `findings`: the type checker's messages; None if it didn't run. `wanted`: the topics and services that a correct
-    program uses, so that none of them is mistaken for a misspelling of another. `following`: for each topic, whether
-    its messages provably follow the simulated clock (True) or don't (False). Topics without proof are missing.
-    `in_lockstep`: whether the program was at rest before each step of the simulated clock, so that a slow machine
-    couldn't delay its messages. `own_clock`: nodes that subscribed to /clock by themselves, before the judge switched
-    the program to simulated time.
+    program uses, so that none of them is mistaken for a misspelling of another. `following`: for each topic, True if
+    its messages provably follow the simulated clock, and False if they provably don't. Topics for which neither is
+    proved are absent. `in_lockstep`: whether the program was at rest before each step of the simulated clock, so that a
+    slow machine couldn't delay its messages. `own_clock`: nodes that subscribed to /clock on their own, before the
+    judge switched the program to simulated time.
 
-    `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor. `stood_still_s`:
-    the longest time (s) for which this virtual machine's host took a processor away. `taken_s`: the total time (s) for
-    which the host took processors away, averaged over the processors. `in_line_s`: the total time (s) for which the
-    program was ready to run but got no processor.
+    `held_up_s`: for a watch on the wall clock, the longest time (s) that the judge itself had to wait for a processor.
+    `stood_still_s`: the longest time (s) that one of this virtual machine's processors was unavailable because of the
+    host. `taken_s`: the total time (s) that processors were unavailable because of the host, averaged over the
+    processors. `in_line_s`: the total time (s) that the program was ready to run but had to wait for a processor.
 
     `seed`: the script's seed; None if the script is the same in each run. `unpublished`: the script's messages that
-    hadn't been published when the watch ended (`t` and `wall`: when they were due). `spins`: the spins found in the
-    program's source. `repeated_init`: the line (from 1) of an rclpy.init() in a loop; 0 if there is none.
+    were still unpublished when the watch ended. Their `t` and `wall` are the times at which they were due. `spins`: the
+    calls that spin a node, as found in the program's source. `repeated_init`: the number of a line (the first line is
+    1) that calls rclpy.init() in a loop; 0 if there is none.
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)

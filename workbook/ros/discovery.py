@@ -79,7 +79,7 @@ def _ports_here(domain_id: int) -> set[int]:
 
 
 def _stopped(ports: set[int]) -> list[int]:
-    """Return the IDs of stopped processes (e.g. by Ctrl-Z) that hold some of these ports. They can't respond."""
+    """Return the IDs of processes that hold some of these ports, but can't respond because they're stopped (Ctrl-Z)."""
     if not ports:
         return []
     halted = [pid for pid in pids() if _is_stopped(pid)]

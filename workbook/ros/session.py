@@ -36,7 +36,7 @@ SHORTEST_WAIT_S = 0.0005
 LONGEST_ITERATION_S = 0.005
 """How long callbacks may run in a row before the event loop gets its turn."""
 CALLBACK_TIME_PER_FRAME = 3.0
-"""After each frame, only callbacks run, for this many times as long as drawing the frame took."""
+"""After a frame is drawn, only callbacks run for a while: this many times as long as drawing the frame took."""
 _SYNC_WAIT_S = 0.05
 """The wait in the wait set in code without `await`, where nothing else is waiting."""
 
@@ -173,7 +173,7 @@ class _SpinRun:
     def reached(self) -> bool:
         """Return whether the condition has become true.
 
-        Once it has, it isn't evaluated again, because it might turn false.
+        Once the condition has been true, it isn't evaluated again, because it might become false.
         """
         if not self._was_reached and self.until is not None:
             until = self.until

@@ -44,7 +44,7 @@ class Table:
 
 
 class Shown:
-    """An object that a notebook shows as tables and a terminal as text."""
+    """An object that is displayed as tables in a notebook and as text in a terminal."""
 
     def _tables(self) -> Sequence[Table]:
         raise NotImplementedError
@@ -56,7 +56,7 @@ class Shown:
         return render("ros/tables", tables=self._tables(), notes=self._notes())
 
     def text(self, columns: int | None = None) -> str:
-        """Return the tables as text for a terminal with this many `columns`."""
+        """Return the tables as text for a terminal that is `columns` characters wide."""
         tables = self._tables()
         if len(tables) == 1:
             parts = [tables[0].text(columns)]

@@ -29,7 +29,7 @@ _LONGEST_LIST = 32
 
 @dataclass(frozen=True, repr=False)
 class Echo:
-    """A topic's messages in the order of arrival. `times` (s) count from the first one."""
+    """A topic's messages in the order of arrival. `times`: when each message arrived (s since the first message)."""
 
     topic: str
     type: str

@@ -35,7 +35,8 @@ NEAREST_M = 0.1
 """Surfaces nearer to the camera than this aren't drawn."""
 RIM_CORNERS = 24
 NOISE_SPARE = 65_536
-"""An image's noise begins at one of this many places in a table, so two images rarely have equal noise."""
+"""The number of places in the table of noise at which an image's noise may begin. With this many places, two images
+rarely have equal noise."""
 
 
 class DeskCamera:

@@ -54,7 +54,7 @@ class Outcome:
 
 
 class MypyServer:
-    """A process in which mypy is loaded, because loading takes two thirds of a run over a short program.
+    """A process that keeps mypy loaded. Loading accounts for two thirds of the time of a run over a short program.
 
     The process starts with the first run, and ends with the process that started it. Ctrl-C during a run ends it, too;
     the next run then starts another one.

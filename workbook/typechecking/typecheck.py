@@ -117,8 +117,8 @@ def type_check(
 def _write(file: Path, text: str) -> None:
     """Write a module with a random modification time.
 
-    mypy treats a file as unchanged if its size and its modification time in whole seconds are (`validate_meta` in
-    mypy/build.py). Two people's programs could easily have the same size and time.
+    mypy assumes that a file is unchanged if its size and its modification time (in whole seconds) are the same as
+    before (`validate_meta` in mypy/build.py). Two people's programs could easily have the same size and time.
     """
     file.write_text(text, encoding="utf-8")
     moment_s = secrets.randbelow(2**31)

@@ -16,7 +16,7 @@ CLOCK_QOS = QoSProfile(
 
 
 class SimulatedClock:
-    """Publishes simulated time on /clock in equal steps, from `start_ns` on (default: the current time of day).
+    """Publishes simulated time on /clock in equal steps, starting at `start_ns` (default: the current time of day).
 
     By default, a program that is switched to this clock keeps its timers' schedule. `now` and `simulated_time` count
     from the start.
@@ -46,7 +46,7 @@ class SimulatedClock:
         return int(self._publisher.get_subscription_count())
 
     def run_at(self, speed: float) -> None:
-        """Set the speed. The next step is due one step from now."""
+        """Set the clock's speed. The next step is due after one step at the new speed, counted from now."""
         self._speed = speed
         self._due = time.monotonic() + self._real_step
 
@@ -79,7 +79,7 @@ class SimulatedClock:
     def simulated_time(self, moment: float) -> float:
         """Return the simulated time (s) at `moment` (`time.monotonic`, s).
 
-        It's the last simulated time published by then; zero if there's none.
+        It's the last simulated time that was published by this moment; zero if none was published.
         """
         index = bisect.bisect_right(self._moments, moment) - 1
         return self._times[index] if index >= 0 else 0.0

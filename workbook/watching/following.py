@@ -97,7 +97,8 @@ def _changes_of_pace(stretches: Sequence[Stretch], times: Sequence[float], step_
 def _ways_to_choose(stretches: Sequence[Stretch]) -> list[tuple[list[Stretch], list[Stretch]]]:
     """Return all ways to divide stretches into slow and fast ones, as pairs (slow, fast).
 
-    Fast stretches are at least twice as fast as the fastest slow one; stretches in between belong to neither.
+    Fast stretches are at least twice as fast as the fastest slow stretch. Stretches whose speed lies between the two
+    belong to neither group.
     """
     ordered = sorted(stretches, key=lambda stretch: stretch.speed)
     ways = []

@@ -297,7 +297,7 @@ class Recorder:
     def kept_until_now(self) -> dict[str, int | None]:
         """Return how many messages a new subscription receives that were published earlier, for each judged topic.
 
-        Only topics that promise to keep messages are included. See `received_late`, which also defines None.
+        Only topics that promise to keep messages are included. `received_late` documents the values, including None.
         """
         judged = (self._topics[name] for name in self._judged if name in self._topics)
         return {one.name: received_late(self._node, one) for one in judged if is_to_be_kept(one)}
@@ -346,7 +346,7 @@ class Recorder:
     def knows_its_nodes(self) -> bool:
         """Return whether every current publisher's node is known.
 
-        DDS sends nodes' names separately from publishers.
+        A node may still be unknown, because DDS announces node names separately from publishers.
         """
         return all(
             publisher.node in self._nodes

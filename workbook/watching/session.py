@@ -46,7 +46,7 @@ class Place(Protocol):
 
 @dataclass
 class Delays:
-    """The times (s) for which the judge or the program got no processor, as stored in the recording."""
+    """How long (s) the judge or the program had to wait for a processor, as stored in the recording."""
 
     held_up: float = 0.0
     longest_steal: float = 0.0
@@ -75,7 +75,7 @@ class Session:
     delays: Delays = field(default_factory=Delays)
 
     def simulated_time(self, moment: float) -> float:
-        """Return the simulated time (s) at a moment of `time.monotonic` (s)."""
+        """Return the simulated time (s) that corresponds to `moment`, a value of `time.monotonic` (s)."""
         if self.clock is not None:
             return self.clock.simulated_time(moment)
         return moment - self.began

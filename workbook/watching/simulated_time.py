@@ -128,7 +128,11 @@ class SimulatedRun:
                 return
 
     def _run_phase(self, end: float, *, fast: bool, earlier: int) -> None:
-        """Advance the clock at one speed to `end`, or until everything is proved or `LockStep.works` changes."""
+        """Advance the clock at one speed until `end`.
+
+        Stop earlier if everything is proved (see `_is_proved`), if the program ends or is `outpaced`, or if
+        `LockStep.works` changes.
+        """
         session, clock, locked = self._session, self._clock, self._lock.works
         begin, began, steps, proved = clock.now, time.monotonic(), 0, False
         clock.run_at(self._speed(fast=fast, locked=locked))

@@ -95,7 +95,7 @@ def _data_only(told: Any) -> Any:
 
 
 def bytes_kept(data: Any) -> int:
-    """Estimate how many bytes plain data would take in a message."""
+    """Estimate how many bytes the given plain data would take up in a message."""
     if isinstance(data, dict):
         return sum(map(bytes_kept, data.values()))
     if isinstance(data, list):

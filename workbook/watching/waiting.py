@@ -1,4 +1,4 @@
-"""Wait until a program is in the graph, and connected with the judge in both directions."""
+"""Wait until a program is in the graph and is connected to the judge in both directions."""
 
 import time
 

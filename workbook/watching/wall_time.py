@@ -14,7 +14,7 @@ TAKE_EVERY_S = 0.05
 LOOK_EVERY_S = 0.1
 NOTE_EVERY_S = 0.2
 UNSCRIPTED_PACE = 4.0
-"""Without a script, we take messages this many times less often, which does no harm, because they carry arrival
+"""Without a script, we take messages less often, by this factor. That does no harm, because messages carry arrival
 times."""
 OWN_LOAD_EVERY_S = 0.5
 CONSTANTLY = 0.8
@@ -44,8 +44,9 @@ def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
 class OwnLoad:
     """Detects whether a program itself is the reason that the first thread of its process `pid` waits for a processor.
 
-    It is if the program's other threads want enough CPU time to keep all processors busy. Whether they get that time
-    doesn't matter, so a busy machine doesn't change the result. It also is if the program has lowered its own priority.
+    The program is the reason if its other threads want enough CPU time to keep all processors busy. Whether they get
+    this time doesn't matter, so a busy machine doesn't change the result. The program is also the reason if it has
+    lowered its own priority.
     """
 
     def __init__(self, pid: int) -> None:
@@ -128,10 +129,10 @@ def is_lost(session: Session) -> bool:
 
 
 def left_to_watch(session: Session) -> float:
-    """Return the wall time (s) that's left until every judged topic has been watched for the planned time.
+    """Return how much wall time (s) remains until every judged topic has been watched for the planned time.
 
-    That time starts when the last topic is matched, and if lines of the script are late, it's that much longer. New
-    delays may extend it again, so call this function until the result isn't positive.
+    The planned time starts when the last topic is matched, or `script_player.late_s` seconds after the watch began if
+    that is later. New delays may move the start, so call this function until it returns zero or less.
     """
     now = session.simulated_time(time.monotonic())
     since = map(session.recorder.matched_at, session.plan.topics)

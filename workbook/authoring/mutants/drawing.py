@@ -1,4 +1,7 @@
-"""Select the mutants to judge if there are too many: always the same ones, from all operators and all programs."""
+"""Select the mutants to judge if there are too many.
+
+The selection is the same in every run, and draws on all operators and all programs.
+"""
 
 import hashlib
 from collections import defaultdict

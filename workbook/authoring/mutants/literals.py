@@ -1,4 +1,4 @@
-"""Operators on literals: numbers, strings, and booleans."""
+"""Mutation operators that change literals: numbers, strings, and booleans."""
 
 from collections.abc import Iterator
 
@@ -7,7 +7,7 @@ import libcst as cst
 from workbook.authoring.mutants.view import Edit, View
 
 LARGE = 10.0
-"""For whole floats from this size on, adding or subtracting one is a small change, so we try that, too."""
+"""For whole floats of at least this magnitude, adding or subtracting one is a small change, so we try both, too."""
 
 
 def literal(value: object) -> cst.BaseExpression:
@@ -19,7 +19,8 @@ def literal(value: object) -> cst.BaseExpression:
 def numbers(node: cst.CSTNode, view: View) -> Iterator[Edit]:
     """Yield edits that change a number. An int is changed by one; a float is doubled, halved, or negated.
 
-    A whole float also becomes an int and, from `LARGE` on, is changed by one. Zero becomes 1.0 or -1.0.
+    A whole float also becomes an int and, if its magnitude is at least `LARGE`, is changed by one. Zero becomes 1.0 or
+    -1.0.
     """
     if isinstance(node, cst.Integer):
         value = node.evaluated_value

@@ -37,7 +37,7 @@ class Free:
     base: str = "*"
 
     def covers(self, mutant: Mutant) -> bool:
-        """Return whether a mutant is a change at this place."""
+        """Return whether a mutant changes the code at this place."""
         return (
             fnmatchcase(mutant.scope, self.scope)
             and fnmatchcase(mutant.before, self.code)

@@ -107,7 +107,7 @@ def _assignments(node: cst.CSTNode) -> Iterator[tuple[str, cst.BaseExpression]]:
 
 
 def kept_results(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Yield edits that cache the results of a function."""
+    """Yield edits that make a function cache its results."""
     if not isinstance(node, cst.FunctionDef) or not gives_a_result(node) or node.asynchronous is not None:
         return
     if node.name.value not in ENTRY and not node.decorators:

@@ -1,4 +1,4 @@
-"""Sphinx's settings for the site. `make site` runs Sphinx with them on the sources that `sources.py` writes."""
+"""The Sphinx configuration for the site. `make site` runs Sphinx with it on the sources that `sources.py` writes."""
 
 from pathlib import Path
 

@@ -105,7 +105,7 @@ class ErrorPages:
         return frozenset(one.cell for page in self.pages for one in page.exhibits if one.lesson == lesson)
 
     def texts(self) -> Iterator[tuple[str, str]]:
-        """Yield the file name and the Markdown text of each page and of the two lists."""
+        """Yield the file name and the Markdown text of each page, of the index, and of the list of symptoms."""
         for page in self.pages:
             yield f"{FOLDER}/{page.name}.md", self._page(page)
         yield f"{FOLDER}/index.md", self._index()
@@ -223,7 +223,7 @@ def _lines(text: object) -> Sequence[str]:
 
 
 def _excerpt(output: str, shows: str) -> str:
-    """Return the output, or only the lines around the text that the exhibit `shows` if the output is long."""
+    """Return the output or, if it's long, only the lines around the text given in the exhibit's `shows`."""
     lines = re.sub(r"\x1b\[[0-9;]*m", "", output).splitlines()
     if len(lines) <= _MOST_LINES:
         return "\n".join(lines)

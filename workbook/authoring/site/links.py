@@ -1,4 +1,4 @@
-"""Convert links between repository files to links between pages. Most pages keep their path in the repository."""
+"""Convert links between repository files to links between pages. Most pages have the same path in both."""
 
 import posixpath
 import re
@@ -10,7 +10,9 @@ _LINK = re.compile(r"(?P<picture>!?)\[(?P<text>(?:[^\[\]]|\[[^\]]*\])*)\]\((?P<t
 
 @dataclass(frozen=True)
 class Links:
-    """Rewrites the links of one page. `page` is its path in the repository, and `pages` are all paths on the site.
+    """Rewrites the links in one page.
+
+    `page` is the page's path in the repository, and `pages` contains the paths of all pages on the site.
 
     `moved` maps the repository paths of moved files to their paths on the site.
     """

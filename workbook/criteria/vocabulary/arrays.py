@@ -68,7 +68,7 @@ _LENGTH = WORDS.rules(
 
 @if_all_kept
 def length(recording: Recording, topic: Topic, wanted: int, what: str = "value") -> Verdict:
-    """Check that every message contains an array of exactly `wanted` elements. `what`: the noun for an element."""
+    """Check that every message contains an array of exactly `wanted` elements. `what`: the word for an element."""
     lengths = _Lengths([length_of(value) for value in values(recording, topic)], wanted, what)
     if lengths.wrong:
         return _LENGTH.verdict(lengths)

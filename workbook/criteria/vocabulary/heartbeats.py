@@ -50,7 +50,7 @@ class Beats:
         return [max(0, bisect_right(times, end) - bisect_left(times, begin)) for begin, end in spans]
 
     def due_within(self, spans: Sequence[tuple[float, float]]) -> float:
-        """Return how many beats are due in all of these spans together."""
+        """Return the total number of beats that are due in these spans."""
         return sum(end - begin for begin, end in spans) * self.hz
 
 

@@ -44,8 +44,8 @@ _NO_ATTRIBUTE = WORDS.reason("error.no-such-attribute", ("name", "kind"))
 def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | None:
     """Return the cause id for a missing name, and the texts `because` and `try`; None for other errors.
 
-    `told`: the error with the lines around it (see `Raised.told`). `own`: whether the program itself looked it up,
-    not a library.
+    `told`: the error with the lines around it (see `Raised.told`). `own`: whether the program itself, rather than a
+    library, looked the name up.
     """
     noted = _noted(told)
     if noted is not None:

@@ -165,7 +165,7 @@ class _Outside:
 
     @cached_property
     def column(self) -> list[object]:
-        """The values at the index of `bad`, in its message and all later ones."""
+        """The values at the index of `bad`, taken from the message that contains `bad` and all later messages."""
         later = values(self.recording, self.topic)[self.bad.message - 1 :]
         return [(elements(value)[self.bad.place or 0 :] or [None])[0] for value in later]
 

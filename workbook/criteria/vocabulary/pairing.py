@@ -20,7 +20,7 @@ def published(recording: Recording, topic: str) -> list[Published]:
 def script(recording: Recording, topic: str) -> list[Published]:
     """Return the script's messages for `topic`, in order.
 
-    They include the messages that hadn't been published when the watch ended.
+    Messages that were still unpublished when the watch ended are included.
     """
     return [one for one in (*recording.published, *recording.unpublished) if one.topic == topic]
 

@@ -92,8 +92,8 @@ _ENDED_BY_ITSELF = WORDS.cause("alive-at-end.ended", _Program)
 def program_runs(recording: Recording) -> Verdict:
     """Check that the program starts, and that its node or one of its publishers appears in the graph.
 
-    This is already a criterion, worth no points. So that other criteria can need it, import it into a criteria file:
-    `from workbook.criteria import program_runs`.
+    This function is a finished criterion, which is worth no points. To let other criteria depend on it, import it into
+    the criteria file: `from workbook.criteria import program_runs`.
     """
     forged = forged_report(recording)
     if forged is not None:
@@ -133,8 +133,8 @@ def _got_going(recording: Recording) -> bool:
     """Return whether a message arrived, or a publisher appeared and stayed while the program ran.
 
     A program that fails in its first lines may briefly have publishers and send one message per topic, but it doesn't
-    count as running. A program that fails in a callback does count, even if its timer had fired only once. How many of
-    its messages arrived is a matter of chance.
+    count as running. A program that fails in a callback does count, even if its timer fired only once. Chance decides
+    how many of its messages arrive.
     """
     topics = recording.topics.values()
     if _failed_at_once(recording):

@@ -53,5 +53,8 @@ class Waits:
         )
 
     def are_late(self, share: float) -> bool:
-        """Return whether less than this share of the outputs is on time. A busy machine may have delayed the rest."""
+        """Return whether the share of outputs that are on time is below `share`.
+
+        A busy machine may have delayed the others.
+        """
         return len(self.late) > (1.0 - share) * len(self.seconds)

@@ -14,7 +14,7 @@ WORDS = Words(__file__)
 GOES_ON_PERIODS = 1.5
 """Another topic goes on if it has a message more than this many periods after the silent topic's last message.
 
-A period is the silent topic's period.
+Each period is the silent topic's required period.
 """
 GOES_ON_INTERVALS = 2.5
 """A topic goes on if the time since its last message is at most this many times its longest interval."""

@@ -16,7 +16,7 @@ class Stamp(NamedTuple):
 
     @classmethod
     def of(cls, message: Any) -> "Stamp":
-        """Return the timestamp in the header of a message, which is a mapping of its fields."""
+        """Return the timestamp in a message's header. `message` is a mapping of the message's fields."""
         stamp = message["header"]["stamp"]
         return cls(stamp["sec"], stamp["nanosec"])
 

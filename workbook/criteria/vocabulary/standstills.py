@@ -10,9 +10,9 @@ from workbook.recording.recording import Arrival, Recording
 def without_standstills(recording: Recording, period_s: float, longest_s: float) -> Recording:
     """Return the recording without the pauses in which the judge couldn't publish its messages.
 
-    In such a pause, the machine was held up, and most likely the program too. So the program's messages weren't as late
-    as they look. `period_s`: the script's period. `longest_s`: the longest time between two of the script's messages
-    that still counts as usual.
+    Whatever held up the judge in such a pause most likely held up the program, too. So the program's messages weren't
+    as late as they look. `period_s`: the script's period. `longest_s`: the longest time between two of the script's
+    messages that still counts as usual.
     """
 
     def moments(sent: Sequence[float]) -> Callable[[float], float]:

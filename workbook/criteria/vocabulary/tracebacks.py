@@ -188,7 +188,7 @@ class _Reader:
 
 
 def chains_in(log: str) -> list[list[Raised]]:
-    """Return the exceptions in a log, grouped into chains. In a chain, each exception followed from the one before."""
+    """Return the exceptions in a log, grouped into chains. In a chain, each exception results from the previous one."""
     reader = _Reader()
     for line in log.splitlines():
         reader.read(line)

@@ -74,7 +74,7 @@ class SlotPool:
         self._owner = os.getpid()
 
     def fork_from_now_on(self, kind: Kind) -> SlotServer | None:
-        """Fork this kind's slots from a server from now on. Return the server.
+        """Fork all further slots of this kind from a server. Return the server.
 
         Return None if forking is impossible or not worthwhile.
         """
@@ -225,7 +225,7 @@ def _file_of_turns() -> Path:
 
 @contextmanager
 def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: None) -> Iterator[None]:
-    """Wait until this user judges no other answer on this machine, if answers could reach each other in this tier.
+    """Wait until this user judges no other answer on this machine. Do nothing if this tier keeps answers apart.
 
     The other answer could publish on this answer's domain, or lease all domains. The kernel ends a turn when the
     process that holds it ends. Without a writable cache, turns apply only within this process. `show_place` is called

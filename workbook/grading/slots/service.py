@@ -2,8 +2,8 @@
 
     python -m workbook.grading.slots.service FOLDER --slots N
 
-When only the real-time watch of a program remains, the student already has the feedback, so the next answer gets the
-place.
+When only the real-time watch of a program remains, the student already has the feedback, so the service begins to judge
+the next answer.
 
 The service listens at the Unix socket FOLDER/socket. Each connection sends one `JudgingOrder`. It receives the lines
 that a slot sends (see `protocol`) and its place in the queue. The kernel identifies the student by the user ID of the
@@ -245,10 +245,10 @@ class CheckService:
 
 
 def read_order(connection: socket.socket) -> JudgingOrder:
-    """Read the order from a connection.
+    """Read an order, which is a request to judge an answer, from a connection.
 
-    Raises EOFError, OSError, KeyError, or ValueError for anything else. Criteria are programs that run in this process,
-    so an order can name only the course's own exercises.
+    Raises EOFError, OSError, KeyError, or ValueError if no valid order arrives. Criteria are programs that run in this
+    process, so an order can name only the course's own exercises.
     """
     lines = LineReader(connection.fileno(), LONGEST_ORDER)
     deadline = time.monotonic() + LONGEST_SILENCE_S

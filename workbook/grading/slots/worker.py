@@ -1,4 +1,4 @@
-"""Run a process that judges one answer after another, and keeps its observer ready in between.
+"""Run a process that judges one answer after another, and keeps its observer ready between answers.
 
     python -m workbook.grading.slots.worker TIER [--user ID] [--groups FOLDER] [--try PORT]
 

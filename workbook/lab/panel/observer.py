@@ -22,7 +22,7 @@ from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line
 GRAPH_EVERY_S = 1.0
 NEWS_EVERY_S = 0.25
 ROBOT_EVERY_S = 0.05
-"""The shortest time (s) between updates of the robot. In between, the panel moves it smoothly."""
+"""The shortest time (s) between updates of the robot. Between updates, the panel moves the robot smoothly."""
 GIVES_WAY = 10
 """The observer's nice value, so that it doesn't distort a lesson's measurements."""
 
