@@ -414,7 +414,7 @@ def test_the_join_line_makes_a_stock_ros_process_see_the_notebook(open_kernel):
         "heard = []\nnode.create_subscription(String, '/chatter', heard.append, 10)\nend = time.monotonic() + 20\n"
         "alone = lambda: 'talker' not in node.get_node_names()\n"
         "while (alone() or not heard) and time.monotonic() < end: rclpy.spin_once(node, timeout_sec=0.1)\n"
-        "print(heard[0].data.split()[0], sorted(node.get_node_names()))\nrclpy.shutdown()\n"
+        "print(heard[0].data.split()[0], sorted(node.get_node_names()))\nnode.destroy_node()\nrclpy.shutdown()\n"
     )
     process = subprocess.Popen(
         [sys.executable, "-c", code],
