@@ -1,5 +1,6 @@
 """What the panel learns about a domain, and that the domain doesn't notice the panel."""
 
+import json
 import math
 import os
 import select
@@ -10,13 +11,14 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from std_msgs.msg import Float32MultiArray, String
 
 from tests.ros.panel_watcher import Watcher
 from workbook.inside import RUN, tap
+from workbook.lab.panel import observer
 from workbook.lab.panel.traffic import NUMBERS_KEPT, PublishedMessage, Traffic, Wire, one_line
 
 ENDS = """
@@ -101,6 +103,54 @@ def test_it_changes_to_another_domain(open_kernel: Any, watcher: Watcher) -> Non
         watcher.wait("graph", lambda told, name=name: told["nodes"] == [f"/node_{name}"])
     watcher.order(domain=None)
     assert watcher.close() == 0
+
+
+class GraphWithLeftOvers:
+    """Stands in for a node that joins the domain. `seen`: what each new one sees; (name, has endpoints) by node."""
+
+    seen: ClassVar[list[dict[str, bool]]] = []
+    joined = 0
+
+    def __init__(self, domain_id: int) -> None:
+        self._nodes = self.seen[min(type(self).joined, len(self.seen) - 1)]
+        type(self).joined += 1
+
+    def graph(self) -> dict[str, Any]:
+        return {"nodes": sorted(self._nodes), "topics": []}
+
+    def has_endpoints(self, name: str) -> bool:
+        return self._nodes[name]
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize(
+    ("seen", "joined", "nodes"),
+    [
+        ([{"/gone": False, "/talker": True}, {"/talker": True}], 2, ["/talker"]),
+        ([{"/gone": False}, {}], 2, []),
+        ([{"/bare": False}], 2, ["/bare"]),  # it's real: the second node sees it as well
+        ([{"/talker": True}], 1, ["/talker"]),
+    ],
+)
+def test_a_node_that_was_announced_after_it_left_does_not_stay(
+    seen: list[dict[str, bool]],
+    joined: int,
+    nodes: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    graphs = type("Graphs", (GraphWithLeftOvers,), {"seen": seen, "joined": 0})
+    monkeypatch.setattr(observer, "HiddenNode", graphs)
+    monkeypatch.setattr(observer, "Wire", lambda domain_id: SimpleNamespace(open=lambda: True))
+    watch = observer.DomainWatch(17)
+    for turn in range(8):
+        watch.work(turn * 2 * observer.GRAPH_EVERY_S)
+    told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert graphs.joined == joined
+    assert [one["nodes"] for one in told if one["kind"] == "graph"][-1] == nodes
+    assert [one["awake"] for one in told if "awake" in one][-1] == bool(nodes)
 
 
 def test_it_ends_with_its_parent() -> None:

@@ -65,6 +65,17 @@ class HiddenNode:
         ]
         return {"nodes": list(seen.nodes), "topics": topics}
 
+    def has_endpoints(self, name: str) -> bool:
+        """Return whether a node of the graph publishes or subscribes to any topic, hidden ones included."""
+        namespace, _, base = name.rpartition("/")
+        ask = (
+            self.node.get_publisher_names_and_types_by_node,
+            self.node.get_subscriber_names_and_types_by_node,
+        )
+        with contextlib.suppress(RuntimeError):  # the node has just left the graph
+            return any(one(base, namespace or "/") for one in ask)
+        return False
+
     def close(self) -> None:
         """Leave the domain."""
         self.node.destroy_node()
@@ -81,7 +92,10 @@ class DomainWatch:
 
     def __init__(self, domain_id: int) -> None:
         self.echo: str | None = None
+        self._domain_id = domain_id
         self._place = HiddenNode(domain_id)
+        self._bare: set[str] = set()
+        self._checked_again: set[str] = set()
         self.wire = Wire(domain_id)
         self._graph: dict[str, Any] = {}
         self._traffic: dict[str, Traffic] = {}
@@ -123,6 +137,8 @@ class DomainWatch:
     def _look(self, now: float) -> None:
         listening = self.wire.open()
         graph = self._place.graph() | {"listening": listening}
+        if self._has_left_overs(graph["nodes"]):
+            return
         if graph != self._graph:
             self._graph = graph
             say("graph", **graph)
@@ -131,6 +147,22 @@ class DomainWatch:
         self._robot.look(bool(graph["nodes"]), published, now)
         for topic in set(self._traffic) - {topic["name"] for topic in graph["topics"]}:
             del self._traffic[topic]
+
+    def _has_left_overs(self, nodes: list[str]) -> bool:
+        """Return whether the graph seems to contain a node whose process has ended. If so, join the domain again.
+
+        rmw_dds_common adds a node back to the graph, for good, if the node's last announcement arrives after the news
+        that its process has left. Such a node has no endpoints; a running rclpy node has at least /parameter_events.
+        """
+        bare = {name for name in nodes if not self._place.has_endpoints(name)}
+        self._checked_again &= bare
+        lasting = (bare & self._bare) - self._checked_again
+        self._bare = bare
+        if lasting:
+            self._checked_again |= lasting
+            self._place.close()
+            self._place = HiddenNode(self._domain_id)
+        return bool(lasting)
 
     def _tell_news(self, now: float) -> None:
         self.fresh = False
