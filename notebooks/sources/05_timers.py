@@ -417,8 +417,8 @@ show(
 # - **b** They come on schedule, because a timer can interrupt the beep.
 #   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s < 0.5`
 #   ✗ In this thread, the executor runs one callback after the other. It can't interrupt a running callback.
-# - **c** They all come, but each one from then on is late. when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and
-#   longest_gap_s >= 0.5`
+# - **c** They all come, but each one from then on is late.
+#   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s >= 0.5`
 #   ✗ A loop that sleeps would behave like this. A timer returns to its schedule.
 # - **d** One is late, and the others are dropped.
 #   when `blinks_per_beep < 9`

@@ -87,6 +87,8 @@ def _prediction(name: str, parts: Sequence[_Part]) -> Prediction:
             raise ValueError(f"{shown} needs an explanation below it, '  ✗ The period is in seconds.'")
         for mark in marks_in_prediction(" ".join([*part.text, *part.why])):
             raise ValueError(f"{shown}: {mark!r} is shown as it is written, leave out the marks of Markdown")
+        if "when `" in " ".join([*part.text, *part.why]):
+            raise ValueError(f"{shown}: put the condition on a line by itself, ``  when `late > 0` ``")
         if part.when:
             _check_condition(shown, part.when)
     usual = [part.letter for part in parts if part.sign == "✓"]
