@@ -90,22 +90,22 @@ def _practice(source: ExerciseSource) -> str:
 def _your_program(source: ExerciseSource) -> str:
     return (
         "## Your program\n\n"
-        "Change the cell below, and run it with Shift+Enter. That doesn't start your program: it saves the program as "
-        f"`answers/{source.stem}.py`, with a backup of the previous version in the same folder. Keep the cell's first "
-        "line. If you add ` --check` to the end of that line, running the cell also checks your program."
+        "Edit the cell below, and run it with Shift+Enter. Running the cell doesn't start your program. It saves the "
+        f"program as `answers/{source.stem}.py` and keeps a backup of the previous version in the same folder. Keep "
+        "the cell's first line. If you add ` --check` to the end of that line, running the cell also checks your "
+        "program."
     )
 
 
 def _watch(source: ExerciseSource) -> str:
-    shows = "Below the cell and in the panel, a robot acts out the messages that your program publishes."
+    others, publishers = "", "your program publishes"
     if partner_of(source.path) is not None:
-        shows = (
-            "`%start` also runs the rest of the robot, so that your node has other nodes to communicate with. "
-            "Below the cell and in the panel, a robot acts out the messages that all these nodes publish."
-        )
+        others = "It also starts the robot's other nodes, so that your node has something to communicate with. "
+        publishers = "all these nodes publish"
     return (
         "## Watch it run\n\n`%start` runs your program in its own process, in this notebook's ROS domain. "
-        f"{shows} `%stop` ends the program."
+        f"{others}The robot drawn below the cell and in the robot panel reacts to the messages that {publishers}. "
+        "`%stop` ends the program."
     )
 
 
