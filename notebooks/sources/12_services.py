@@ -10,7 +10,7 @@
 #   - offer a service and call it
 #   - choose between a topic and a service
 #   - call a service from a callback
-#   - explain what happens to a pending call when its server ends
+#   - explain what happens to a pending call when its server exits
 # - **Not covered:** actions (long jobs with progress reports), custom service types, parameters
 
 # %% [markdown]
@@ -78,7 +78,7 @@ stop()
 # ## Predict
 #
 # So far, the notebook has sent the requests. On a robot, a node sends them from a callback. This node publishes a
-# heartbeat ten times a second. Twice a second, it asks the robot to test itself. The client's method `call` sends the
+# heartbeat ten times a second. Twice a second, it asks the robot to test itself. The client's `call` method sends the
 # request, waits for the response, and returns it.
 #
 # ```python
@@ -123,8 +123,8 @@ predict("call-in-a-callback")
 # %% [markdown]
 # ## Run it
 #
-# `try_out` runs the node in a separate process for two seconds and records its messages. For each request, the node
-# also publishes a message on `/robot/asked`, and for each response, one on `/robot/answered`. The server is in another
+# `try_out` runs the node in a separate process for two seconds and records its messages. The node also publishes a
+# message on `/robot/asked` for each request, and one on `/robot/answered` for each response. The server is in another
 # node, which has its own thread.
 
 # %% id="deadlock"
@@ -162,14 +162,14 @@ questions_picture(
 )
 
 # %% [markdown]
-# The program keeps waiting until you end it. This is a **deadlock**: two parties are waiting for each other, so neither
-# can continue.
+# The program waits until you kill it. This is a **deadlock**: two parties are waiting for each other, so neither can
+# continue.
 
 # %% [markdown]
 # ## Look inside
 #
-# Here's the response's path, drawn as in lesson 04. Like a subscription, a client has a queue, which holds its
-# responses.
+# Here's the path that the response takes, drawn as in lesson 04. Like a subscription, a client has a queue, which holds
+# its responses.
 
 # %% id="machine"
 from workbook.lesson import record_machine, show_machine
@@ -194,7 +194,7 @@ show_machine(
 # - **The client's callback group.** By default, all of a node's callbacks are in one *default group*. That group is
 #   *mutually exclusive*: only one of its callbacks runs at a time. A waiting callback still occupies its group.
 #
-# How a callback waits determines whether its thread and group stay occupied:
+# Whether a callback occupies its thread and its group depends on how it waits:
 #
 # | in the callback | occupies its thread | occupies its group |
 # |---|---|---|
@@ -209,8 +209,8 @@ show_machine(
 # %% [markdown]
 # ### Seven ways to wait
 #
-# Before you run the next cell, apply both conditions to each row: do the responses arrive? "Own" means that the client
-# has its own callback group. Everything else is in the default group.
+# Before you run the next cell, use both conditions to predict for each case whether the responses arrive. "Own" means
+# that the client has its own callback group. Everything else is in the default group.
 #
 # | case | how the callback waits | client's group | threads |
 # |---|---|---|---|
@@ -222,7 +222,7 @@ show_machine(
 # | 6 | `await` | own | 1 |
 # | 7 | `spin_until_future_complete`, for 0.4 s | default | 1 |
 #
-# `limps` marks a node that misses heartbeats while a call is waiting.
+# In the output, `limps` means that the node misses heartbeats while a call is pending.
 
 # %% id="seven-cases"
 CASES = [
@@ -313,9 +313,9 @@ yours(
 #
 # ### Experiment 1: other groups and threads
 #
-# In a *reentrant* group, any number of callbacks can run at the same time. Here are three more cases, none with the
-# client in the default group. In the "reentrant" cases, the client's group also contains the timer that makes
-# the call:
+# In a *reentrant* group, any number of callbacks can run at the same time. In the three cases below, no client is in
+# the default group. In the two reentrant cases, the client's group also contains the timer whose callback makes the
+# call.
 #
 # - `call`, own group, 1 thread
 # - `call`, reentrant group, 4 threads
@@ -361,8 +361,8 @@ reveal(
 # %% [markdown] prediction="slow-server"
 # ### Experiment 2: a slow server
 #
-# Until now, the server has responded within a millisecond. Now it takes 0.35 s. All three cases below get their
-# responses. The heartbeat timer is in the default group. In which cases does it keep firing *while* a call is waiting?
+# Now the server takes 0.35 s to respond, not a millisecond. In all three cases below, the responses arrive. The
+# heartbeat timer is in the default group. In which cases does it keep firing *while* a call is pending?
 #
 # - `call`, own group, 4 threads
 # - `await`, own group, 1 thread
@@ -370,10 +370,10 @@ reveal(
 #
 # Options:
 #
-# - **a** In all three, because they all get their responses.
+# - **a** In all three, because the responses always arrive.
 #   when `case_1 and case_2 and case_3`
-#   ✗ They do get their responses. But in two cases, the waiting callback occupies the default group, which also
-#   contains the heartbeat timer.
+#   ✗ The responses do arrive. But in two cases, the waiting callback occupies the default group, which also contains
+#   the heartbeat timer.
 # - **b** Only in the first: it has threads to spare.
 #   when `case_1 and not case_2 and not case_3`
 #   ✗ It does have threads to spare. But the callback that waits in `call` occupies the default group, and the heartbeat
@@ -420,25 +420,26 @@ show_machine(
 
 # %% [markdown]
 # Only the done callback leaves the heartbeat undisturbed. With `call` and `await`, the waiting callback occupies the
-# default group. The heartbeat timer is in that group, too, so the executor leaves it out of its wait set. A callback
-# that only sends the request returns right away and frees the group.
+# default group. The heartbeat timer is in that group, too, so the timer can't fire. A callback that only sends the
+# request returns right away and frees the group.
 #
-# For most nodes, we recommend this: **use `call_async`, add a done callback, and return.** That needs no extra threads
-# or groups, and can't deadlock. (The done callback itself isn't in *any* group. With several threads, it may run at the
-# same time as any other callback, so protect shared data with a lock.)
+# In most nodes, **use `call_async`, add a done callback, and return.** This needs no extra threads or groups, and can't
+# cause a deadlock. (The done callback isn't in *any* group. With several threads, it may run at the same time as any
+# other callback, so protect shared data with a lock.)
 
 # %% [markdown] prediction="server-dies"
-# ### Experiment 3: the server process ends
+# ### Experiment 3: the server process exits
 #
-# This server never responds, and its process ends while our call is waiting. What happens to the client's future?
+# This server never responds, and its process exits while our call is pending. What happens to the client's future?
 #
 # - **a** The future is done and raises an exception.
-#   ✗ ROS doesn't notify the client that the server has ended, so nothing sets an exception on the future.
-# - **b** It's never done, and the client gets no notice.
+#   ✗ ROS doesn't notify the client that the server has exited, so nothing sets an exception on the future.
+# - **b** It's never done, and the client isn't notified.
 #   when `not old_call_is_done`
-#   ✓ A service call has no timeout, and no message reports the server's end. Your client needs its own time limit.
+#   ✓ A service call has no timeout, and ROS doesn't report the server's exit. So your client needs its own time limit.
 # - **c** It's done, and its result is `None`.
-#   ✗ A future is done only when the response has arrived. None did, so the future has no result, not even `None`.
+#   ✗ A future is done only when the response has arrived. No response has, so the future has no result, not even
+#   `None`.
 # - **d** It isn't done yet, but a new server with the same name would respond to the request.
 #   when `old_call_is_done`
 #   ✗ Only the old server received the request. A new one never gets it.
@@ -495,14 +496,14 @@ print("asked again:", response.message)
 stop()
 
 # %% [markdown]
-# The client gets no notice that the server is gone, so the call stays open forever. `service_is_ready()` tells you
+# The client isn't notified that the server is gone, so the call stays open forever. `service_is_ready()` tells you
 # whether a server exists *now*, not whether your pending call can still succeed. So set your own time limit. When it
-# expires, give up on the call with `remove_pending_request(future)`, and send a new request or raise an alarm.
+# expires, drop the call with `remove_pending_request(future)`, and send a new request or raise an alarm.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A misspelled service name.** The underscore is missing, so no server has this name.
+# **A misspelled service name.** The name `/robot/selftest` lacks the underscore, so no server offers it.
 
 
 # %% id="no-server"
@@ -599,9 +600,9 @@ except TypeError as error:
 print("the guest's call is", state(greeting))
 
 # %% [markdown]
-# rclpy needed a response to send but got `None`, so it raised a `TypeError()` without a message. In a program, the
-# traceback's last line is a bare `TypeError`, and the *server* process ends. The client's call stays open, as in
-# experiment 3. One line fixes the handler:
+# rclpy got `None` instead of a response, so it raised a `TypeError()` without a message. In an ordinary program, the
+# traceback ends with a bare `TypeError`, and the *server* process exits. The client's call stays open, as in experiment
+# 3. One line fixes the handler:
 
 
 # %%
@@ -691,8 +692,8 @@ await run(gripper, arm, seconds=20, until=lambda: len(arm.done) == 4)
 print(arm.done)
 
 # %% [markdown]
-# **Fill in the blanks.** This gripper has a loose cable, so one request in three gets no response. The arm has to
-# notice that. Replace the `...` with your code.
+# **Fill in the blanks.** This gripper has a loose cable, so one request in three gets no response, and the arm has to
+# notice. Replace the `...` with your code.
 
 # %%
 from rclpy.callback_groups import ReentrantCallbackGroup
@@ -750,13 +751,13 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #
 # <details><summary>a) The callback returns after a few milliseconds</summary>
 #
-# ✗ By then, the response has reached the process. But the only thread is waiting in `call`, so it can't take the
-# response.
+# ✗ By then, the response has reached the process. But the only thread is waiting in `call`, so that thread can't take
+# the response.
 #
 # </details>
 # <details><summary>b) The node hangs, but only until the server is called again</summary>
 #
-# ✗ Another request would only put another response into the same queue.
+# ✗ Another request would only lead to another response in the same queue.
 #
 # </details>
 # <details><summary>c) The node hangs, without an error</summary>
@@ -842,14 +843,14 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # executor can't take the response. The balance timer is in that group, too, so it stops. If the client gets its own
 # group, the response arrives. But until it does, the balance timer still has to wait. To avoid that, give either the
 # stumble callback or the timer a separate group, too. A `MultiThreadedExecutor` alone changes nothing. The simplest fix
-# is not to wait: use `call_async`, publish "caught" in a done callback, and return. A good answer adds a time limit. It
-# also asks whether a reflex should be a service at all, because a message on a topic needs no response.
+# is not to wait: use `call_async`, publish "caught" in a done callback, and return. A good answer also adds a time
+# limit. Finally, it asks whether a reflex should be a service at all, because a message on a topic needs no response.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two pieces of advice. We tested both with this course's rclpy, and both failed.
 #
 # - **`await client.call_async()` is safe in any callback:** By default, the client and the callback are in the same
 #   group. The response has to wait for that group, so it never reaches the callback.
@@ -862,11 +863,11 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # %% [markdown]
 # ## Take away
 #
-# - A topic has any number of publishers and subscriptions. A service call is one request and one response.
+# - A topic has any number of publishers and subscriptions. A service call consists of one request and one response.
 # - The executor takes a response when one of its threads *and* the client's callback group are free.
-# - In a callback, `call` hangs without an error if the executor has one thread, or if the client and the callback share a
-#   group. `await` hangs only if they share a group.
-# - Use `call_async` and `add_done_callback`, and then return. That can't cause a deadlock.
+# - In a callback, `call` hangs if the executor has one thread, or if the client and the callback share a mutually
+#   exclusive group. `await` hangs only in the second case.
+# - Use `call_async` and `add_done_callback`, and return. That can't cause a deadlock.
 # - A response tells you that the server handled your request. A missing response isn't reported, so set your own time
 #   limit, and drop an overdue request with `remove_pending_request`.
 #

@@ -54,8 +54,8 @@ stop()
 # %% [markdown] prediction="eight-beats"
 # ## Predict
 #
-# The robot creates the publisher for its heartbeat as shown below. Losing a beat does no harm, because the next one
-# follows soon.
+# Losing a heartbeat does no harm, because the next one follows soon. So the robot publishes its heartbeat with
+# best-effort reliability:
 #
 # ```python
 # BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, ...)
@@ -72,15 +72,15 @@ stop()
 #
 # - **a** All eight, because the topic and the type match.
 #   when `heard == 8`
-#   ✗ The topic and the type do match, but the reliability doesn't. The monitor requests reliable, and the robot offers
-#   only best effort.
+#   ✗ The topic and the type do match, but the reliability doesn't. The monitor requests reliable delivery, but the
+#   robot offers only best effort.
 # - **b** Most of them, because best effort may lose some.
 #   when `0 < heard < 8`
 #   ✗ A best-effort publisher can lose messages only to a matched subscription. Here, DDS doesn't match the two at all.
 # - **c** Nothing, and both sides log a warning.
 #   when `heard == 0 and matched == 0`
-#   ✓ `10` requests reliable, but the robot offers best effort. So DDS doesn't match the two, and rclpy logs a warning
-#   on both sides.
+#   ✓ `10` requests reliable delivery, but the robot offers best effort. So DDS doesn't match the two, and rclpy logs a
+#   warning on both sides.
 # - **d** An exception, because the QoS settings are incompatible.
 #   ✗ Neither side gets an exception. rclpy creates the publisher and the subscription as usual.
 # - **e** Nothing, and neither side logs anything.
@@ -136,14 +136,15 @@ reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 # %% [markdown]
 # ## Look inside
 #
-# Every publisher and every subscription has a **QoS profile** (quality of service), which is a set of **policies**. The
-# publisher **offers** its profile, and the subscription **requests** one. DDS compares the two profiles policy by
-# policy. It *matches* the two sides only if every offered policy is at least as good as the requested one. The arrows
-# in the figure above don't show whether two sides match, because they depend only on topic names.
+# Every publisher and every subscription has a **QoS profile** (QoS stands for *quality of service*), which is a set of
+# **policies**. The publisher **offers** its profile, and the subscription **requests** one. DDS compares the two
+# profiles policy by policy. It *matches* the two sides only if every offered policy is at least as good as the
+# requested one. The arrows in the figure above don't show whether two sides match, because they depend only on topic
+# names.
 #
-# The robot offered best effort, but the monitor requested reliable. Its `10` is short for `QoSProfile(depth=10)`, in
-# which all other policies have their default values. The next cell prints two of the policies, both for that profile
-# and for a predefined one:
+# The robot offered best effort, but the monitor requested reliable delivery, because it passed just `10`, which is
+# short for `QoSProfile(depth=10)`. In that profile, all other policies have their default values. The next cell prints
+# two policies of that profile, and then the same two of a predefined profile:
 
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
@@ -158,11 +159,11 @@ print("10:                     ", policies(QoSProfile(depth=10)))
 print("qos_profile_sensor_data:", policies(qos_profile_sensor_data))
 
 # %% [markdown]
-# | policy | lower | higher | meaning of the lower value / of the higher value |
+# | policy | weaker value | stronger value |
 # |---|---|---|---|
-# | reliability | `BEST_EFFORT` | `RELIABLE` | each message is sent once / it's sent again until it arrives, unless `depth` newer messages have replaced it |
-# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | messages aren't kept for later subscriptions / the last `depth` messages are kept for them |
-# | deadline | none | short | no promise / consecutive messages are never farther apart than this |
+# | reliability | `BEST_EFFORT`: each message is sent only once | `RELIABLE`: a message is sent again until it arrives, unless `depth` newer messages have replaced it |
+# | durability | `VOLATILE`: no messages are kept for later subscriptions | `TRANSIENT_LOCAL`: the last `depth` messages are kept for later subscriptions |
+# | deadline | none, or a longer time | a shorter time: consecutive messages are never farther apart than this |
 #
 # The table leaves out `depth`, the length of the queue on each side, because DDS doesn't compare depths.
 #
@@ -188,7 +189,7 @@ for problem in topic_info("/robot/heartbeat").problems:
     print(problem)
 
 # %% [markdown]
-# To fix the problem, lower the subscription's request:
+# To fix the problem, make the subscription request less:
 
 # %%
 monitor = fresh(Monitor, qos_profile_sensor_data)
@@ -219,8 +220,8 @@ yours(
 # - *"Both sides must have the same QoS."* The offer only has to be at least as good as the request. So a reliable
 #   publisher matches a best-effort subscription.
 # - *"DDS doesn't report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear in
-#   the log above. But each side logs only one line per mismatch. It can do so only after discovery, and only while its
-#   node is being spun.
+#   the log above. But each side logs only one line per mismatch. That line appears only after discovery, and only while
+#   the side's node is spinning.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
@@ -320,7 +321,7 @@ yours(
 #
 # The robot publishes beats for 2 s and is then silent for 2.5 s. How many times is `on_missed` called?
 #
-# - **a** Never, because a callback needs a message.
+# - **a** Never, because a callback runs only when a message arrives.
 #   when `missed == 0`
 #   ✗ No message arrives, but an event does: DDS measures the time since the last message and reports when it exceeds
 #   the deadline.
@@ -409,13 +410,13 @@ print("second event:", about(after_s[1], "s after the last beat", between=(1.9, 
 print("next beat:   ", about(after_s[2], "s after the last beat", between=(2.1, 5)))
 
 # %% [markdown]
-# The event occurs when the deadline passes, and again after each further second without a message. It has two
-# limitations:
+# The missed-deadline event occurs when the deadline passes, and again after each further second without a message.
+# Deadlines have two limitations:
 #
 # - DDS measures the time from the last message, so there's no event before the first message.
 # - No event reports that messages are arriving again. Your code can detect that only in `on_beat`.
 #
-# A timer that checks the clock can detect the silence, too. It takes a little more code, but the publisher doesn't
+# A timer that checks the clock can detect the silence, too. That takes a little more code, but the publisher doesn't
 # have to offer a deadline.
 #
 # **Your turn.** The robot offers a deadline of 0.5 s. Which of these requests match that offer: 0.2, 0.5, 1.0, or 3.0 s?
@@ -456,13 +457,13 @@ print("heard:", impatient.heard)
 print("publishers that it has found:", impatient.subscription.get_publisher_count())
 
 # %% [markdown]
-# The status didn't arrive. Like the other policies in the table, a deadline that you request has to be offered.
-# Otherwise, DDS doesn't match the two sides. The warning ends with the policy's name, `DEADLINE`. To fix this, make the
-# publisher offer a deadline. Or drop the request, and check the clock with a timer instead.
+# The status didn't arrive. Deadlines work like the other policies in the table: if you request one, the publisher has
+# to offer one. Otherwise, DDS doesn't match the two sides. The warning ends with the policy's name, `DEADLINE`. To fix
+# this, make the publisher offer a deadline. Or drop the request, and check the clock with a timer instead.
 
 # %% [markdown]
 # **Same topic, different types.** The robot runs in its own process and publishes text. This node subscribes to the
-# same topic with `Float32`:
+# same topic, but with the type `Float32`:
 
 # %% id="other-type-silence"
 from std_msgs.msg import Float32
@@ -542,8 +543,9 @@ await run(late, seconds=10, until=lambda: signs)
 print("a late listener reads:", signs[-1])
 
 # %% [markdown]
-# **Fill in the blanks.** The panel must also raise an alarm when no heartbeat has arrived for more than 2 s. A timer
-# checks the clock. Replace the `...`, and add the missing subscription. Until you do, the cell prints a reminder.
+# **Fill in the blanks.** The panel must also raise an alarm when no heartbeat has arrived for more than 2 s. To check
+# that, a timer regularly compares the current time with the time of the last beat. Replace the `...`, and add the
+# missing subscription. Until you do, the cell prints a reminder.
 
 # %%
 LIMIT_S = ...  # TODO: seconds of silence that are too long
@@ -592,7 +594,8 @@ stop()
 #
 # <details><summary>a) The reliability of your subscription, to best effort</summary>
 #
-# ✓ `10` requests reliable, which is more than the camera offers. `qos_profile_sensor_data` is made for this case.
+# ✓ `10` requests reliable delivery, which is more than the camera offers. `qos_profile_sensor_data` is made for this
+# case.
 #
 # </details>
 # <details><summary>b) The depth, because 10 is too small for images</summary>
@@ -647,7 +650,7 @@ stop()
 #
 # <details><summary>a) After the first message, once 2 s pass without another one</summary>
 #
-# ✓ There's no event before the first message. Until then, a timer can make the display show `unknown`.
+# ✓ There's no event before the first message. To display `unknown` until then, use a timer.
 #
 # </details>
 # <details><summary>b) 2 s after the subscription was created</summary>
@@ -661,7 +664,7 @@ stop()
 #
 # </details>
 #
-# **5. `topic_info` lists a publisher and a subscriber. No message arrives, but nothing is logged either. What do you check first?**
+# **5. `topic_info` lists a publisher and a subscription. No messages arrive, and the log is empty. What do you check first?**
 #
 # <details><summary>a) The domain</summary>
 #
@@ -670,7 +673,7 @@ stop()
 # </details>
 # <details><summary>b) The types</summary>
 #
-# ✓ A QoS mismatch is logged, but with Fast DDS, a type mismatch between two processes isn't. If the types are equal,
+# ✓ A QoS mismatch is logged, but with Fast DDS, a type mismatch between two processes isn't. If the types are the same,
 # check that your code spins the node.
 #
 # </details>
@@ -716,7 +719,7 @@ stop()
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two mistakes. We checked both with this course's rclpy.
 #
 # - **`QoSProfile(depth=10, deadline=0.1)`:** The profile doesn't accept a plain number of seconds. Use
 #   `Duration(seconds=0.1)`.
@@ -730,8 +733,8 @@ stop()
 #
 # - A publisher offers a QoS profile, and a subscription requests one. They match if every offered policy is at least as
 #   good as the requested one.
-# - After a mismatch, each side logs one line, and no messages arrive. `qos_check_compatible` and `topic_info` give
-#   the reason.
+# - If the profiles don't match, each side logs one line, and no messages arrive. `qos_check_compatible` and
+#   `topic_info` give the reason.
 # - With transient local on both sides, a late subscription gets the publisher's last `depth` messages right away. Use
 #   it for states.
 # - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock doesn't

@@ -15,9 +15,9 @@
 # ## Predict
 #
 # A listener, a node with a subscription, is already running. Then a program starts and creates a publisher. Its next
-# lines publish `hello`, `here`, and `I am`. The program waits until it has discovered the listener, and then exits.
-# Both sides are reliable and volatile. We start six such programs, one after another. How many of the eighteen
-# messages arrive?
+# lines publish `hello`, `here`, and `I am`. The program waits until it has discovered the listener, and then exits. The
+# publisher and the subscription are both reliable and volatile. We start six such programs, one after another. How many
+# of the eighteen messages arrive?
 #
 # - **a** All 18: reliable means that nothing is lost.
 #   ✗ Reliable delivery starts with the match. Messages published earlier have no receiver.
@@ -103,8 +103,8 @@ for fix, words in FIXES.items():
     print(f"{len(ears.heard)} of 12 arrived: {words}")
 
 # %% [markdown]
-# For the second fix, pass a callback to `create_publisher`. rclpy calls it when a match is reported, but only while
-# the node is being spun:
+# For the second fix, pass a callback to `create_publisher`. rclpy calls it when a match is reported, but only while the
+# node is spinning:
 #
 # ```python
 # self.create_publisher(
@@ -113,16 +113,16 @@ for fix, words in FIXES.items():
 # )
 # ```
 #
-# One caveat: a listener may discover your program a moment later than your program discovers the listener. A reliable
+# One caveat: your program may discover a listener a moment before the listener discovers your program. A reliable
 # publisher then sends its messages again. But with best effort, the first messages can still be lost.
 
 # %% [markdown]
 # ### How long does discovery take?
 #
 # A few DDS settings make discovery fast in this workbook (`workbook/ros/loopback.xml`). They keep all traffic on this
-# machine, and they make each program repeat its announcement ten times per second. Without these settings, as on a
-# robot, each program repeats its announcement once every three seconds. We run six newcomers with our settings, and six
-# with the defaults.
+# machine, and they make each program announce itself to the others ten times per second. Without these settings, as is
+# usual on a robot, each program announces itself only once every three seconds. We run six newcomers with our settings,
+# and six with the defaults.
 
 # %%
 from workbook.lesson.qos_trials import found_picture, greet_by_default
@@ -145,24 +145,24 @@ found_picture(
 
 # %% [markdown]
 # We measured a hundred runs on one machine. With the workbook's settings, discovery took 3 to 190 ms. With the
-# defaults, it took 3 to 100 ms in about half of the runs. In most of the others, it took up to three seconds, because
-# the newcomer had to wait for the next announcement. So a `time.sleep(1.0)` before the first message works in one run
-# and fails in the next. Wait for the match, not for a fixed time.
+# defaults, it took 3 to 100 ms in about half of the runs. In most of the other runs, the newcomer had to wait for the
+# next announcement, so discovery took up to three seconds. So a `time.sleep(1.0)` before the first message works in one
+# run and fails in the next. Wait for the match, not for a fixed time.
 
 # %% [markdown] prediction="sixteen-pairs"
 # ### All pairs, measured
 #
-# Two policies with two values each make four profiles. Each profile can be offered, and each can be requested, so there
-# are sixteen pairs. Each publisher sends one message before the subscription exists, and five afterward. In how many
-# pairs does at least one message arrive?
+# Reliability and durability have two values each, so there are four profiles. A publisher can offer any of the four,
+# and a subscription can request any of the four, which makes sixteen pairs. Each publisher sends one message before the
+# subscription exists, and five afterward. In how many pairs does at least one message arrive?
 #
 # - **a** 4: those with equal profiles on both sides.
 #   when `hearing == 4`
 #   ✗ The profiles don't have to be equal: an offer may be better than the request.
 # - **b** 16: all of them, because the topic and the type match.
 #   when `hearing == 16`
-#   ✗ A request that's higher than the offer prevents the match.
-# - **c** 9: those in which no request is higher than the offer.
+#   ✗ If the subscription requests more than the publisher offers, the two don't match.
+# - **c** 9: those in which the subscription requests no more than the publisher offers.
 #   when `hearing == 9`
 #   ✓ For each policy, three of the four combinations match, and 3 × 3 is 9.
 
@@ -211,10 +211,11 @@ print("pairs that got the old message: ", sum(got_the_old))
 
 # %% [markdown]
 # The old message arrived only in the pair where *both* sides are reliable *and* transient local. In five of the nine
-# pairs that received messages, the two profiles differ.
+# pairs in which messages arrived, the two profiles differ.
 #
 # **Your turn.** Write the rule that decides whether a pair matches. Here, each profile is a tuple of two levels, one
-# for reliability and one for durability. Level 0 is the lower value, and 1 is the higher one.
+# for reliability and one for durability. Level 0 is the weaker value (best effort or volatile), and level 1 is the
+# stronger one (reliable or transient local).
 
 # %% id="your-rule"
 from workbook.lesson import yours
@@ -259,8 +260,8 @@ class Counter(Node):
 fresh(Counter)
 
 # %% [markdown]
-# The important part is in the middle: `existing topic name rt/ears with incompatible type`. (`rt` stands for "ROS
-# topic".) Creating a subscription with a different type fails, too, but with a less helpful message:
+# The important part is in the middle of the error message: `existing topic name rt/ears with incompatible type`. (`rt`
+# stands for "ROS topic".) Creating a subscription with a different type fails, too, but with a less helpful message:
 # `invalid allocator`.
 
 # %% [markdown]
@@ -275,15 +276,16 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
     print("desk A to desk B:", heard_between(desk_a, desk_b, LATCHED))
 
 # %% [markdown]
-# Like any program, a tool runs in only one domain, so no tool can show both sides of such a pair. If a topic isn't
-# listed, there are three possible causes. The other program is in a different domain (`ROS_DOMAIN_ID`), it's on a
-# different network, or it isn't running. If a topic is listed but no messages arrive, check QoS and types.
+# Like any other program, a tool such as `ros2 topic` runs in only one domain, so it can't show you both of these
+# programs. If a topic isn't listed, there are three possible causes. The other program is in a different domain
+# (`ROS_DOMAIN_ID`), it's on a different network, or it isn't running. If a topic is listed but no messages arrive,
+# check QoS and types.
 #
 # **In a container: a topic is listed, but nothing arrives.** Fast DDS sends messages through shared memory (`/dev/shm`)
 # if it detects that both programs are on one machine. Suppose a container shares its host's network, but not
-# `/dev/shm`. Then Fast DDS still assumes that both are on the same machine. As a result, every topic is listed, but no
-# message arrives. To fix it, share `/dev/shm` and run both programs as the same user (`--ipc=host`, `--user`). Or turn
-# off shared memory, as this workbook does. `workbook doctor` checks all of these settings.
+# `/dev/shm`. Fast DDS then still assumes that the two programs are on one machine. As a result, every topic is listed,
+# but no message arrives. To fix this, share `/dev/shm` and run both programs as the same user (`--ipc=host`, `--user`).
+# Or turn off shared memory, as this workbook does. `workbook doctor` checks all of these settings.
 
 # %% [markdown]
 # ## Take away
@@ -291,9 +293,9 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
 # - A message that was published before the match is lost, even with reliable QoS. Wait until
 #   `get_subscription_count()` is above 0, wait for the matched event, or make both sides transient local.
 # - Discovery takes anywhere from milliseconds to seconds, so don't sleep for a fixed time.
-# - Nine of the sixteen pairs match: those in which the request isn't higher than the offer.
-# - If a topic isn't listed, check the domain and the network. If it's listed but silent, check QoS, types, and shared
-#   memory.
+# - Nine of the sixteen pairs match: those in which the subscription requests no more than the publisher offers.
+# - If a topic isn't listed, check the domain and the network. If it's listed, but no messages arrive, check QoS, types,
+#   and shared memory.
 #
 # **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)
 #

@@ -91,7 +91,8 @@ print([round(average.step(value), 2) for value in (0.9, 0.9, 0.9, 0.3, 0.3, 0.3)
 # - **b** A quarter of the noise remains, and the delay is four times as long.
 #   when `noise_ratio < 0.4 and delay_ratio > 3.0 and delay_ratio < 4.5`
 #   ✗ Noise falls with the square root of the number of messages, and the square root of 4 is 2. The average lags as far
-#   behind as the midpoint of its messages. That's (4 − 1)/2 = 1.5 and (16 − 1)/2 = 7.5, or five times as much.
+#   behind as the midpoint of its messages. That's (4 − 1)/2 = 1.5 and (16 − 1)/2 = 7.5 messages, so the delay is five
+#   times as long.
 # - **c** A quarter of the noise remains, and the delay doesn't change, because a mean takes hardly any time to compute.
 #   when `noise_ratio < 0.4 and delay_ratio < 3.0`
 #   ✗ The delay isn't computing time. An average of old and new values describes the moment halfway between the oldest
@@ -131,8 +132,8 @@ reveal("longer-average", noise_ratio=noise_ratio, delay_ratio=delay_ratio)
 #
 # Independent errors partly cancel out, but more messages bring diminishing returns: an average of N messages leaves
 # 1/√N of the noise. The delay grows faster, roughly in proportion to N. The mean of N messages describes the moment
-# halfway between the oldest and the newest, so it's (N − 1)/2 messages behind. Slow code isn't the cause. Part of each
-# result comes from earlier measurements, and those describe the past.
+# halfway between the oldest and the newest, so it's (N − 1)/2 messages behind. This delay isn't caused by slow code:
+# part of each result comes from earlier measurements, and those describe the past.
 #
 # Try it. The next figure shows one elbow's angle over five seconds. We simulate this angle so that every run gets the
 # same noise. Drag the slider while the cell runs.
@@ -195,8 +196,8 @@ yours(longest, 13, "(N - 1) / 2 must be 0.3 * 20 messages.")
 # %% [markdown]
 # ### A filter inside a callback
 #
-# Now let's filter the left elbow's angle on the live topic. The thread that runs the callbacks also draws the plot, and
-# drawing delays the callbacks. So `run` calls `draw_live` only four times a second.
+# Now let's filter the left elbow's angle live, as the messages arrive. The thread that runs the callbacks also draws
+# the plot, and drawing delays the callbacks. So `run` calls `draw_live` only four times a second.
 #
 # [the same without helpers: init, fresh, run]
 
@@ -427,8 +428,9 @@ reveal("message-fifty-again", difference=float(abs(early - late)))
 # result.
 #
 # **Savitzky–Golay** filters look ahead, too. They fit a polynomial to a window of messages, and usually return the
-# value in the *middle* of the window. With `pos=18`, the fit over 19 messages returns the value at the window's *end*,
-# so it needs no later messages. We test both versions, middle and end, with a ramp, noise, and a step from 0 to 1.
+# polynomial's value in the *middle* of the window. With `pos=18`, the fit over 19 messages returns the value at the
+# window's *end*, so it needs no later messages. We test both versions, middle and end, with a ramp, noise, and a step
+# from 0 to 1.
 
 # %% id="line-through-the-last"
 from scipy.signal import savgol_coeffs
@@ -474,7 +476,7 @@ print(f"largest change of a measurement: {abs(forgetful - measured).max():.3f} r
 # %% [markdown]
 # There's no error, but nothing is filtered. Create the filter in `__init__`, and keep it in an attribute.
 #
-# **NaN stays in the filter.** An encoder reports NaN once, in message 10 of 40. Which results contain NaN?
+# **NaN stays in the filter.** An encoder reports NaN once, in message 10 of 40. Which results are NaN?
 
 # %% id="nan-stays"
 import math
@@ -493,7 +495,7 @@ for name, one in filters.items():
 # is called **IIR**, *infinite impulse response*: each input affects all later results. A moving average with a running
 # sum has feedback, too: it adds the newest value and subtracts the oldest, and NaN − NaN is NaN.
 #
-# So check each value *before* any filter, and replace each NaN with the last good value.
+# So check each value *before* it reaches a filter, and replace each NaN with the last good value.
 #
 # **Your turn.** Write the line that replaces each NaN. `np.isfinite(angles)` is true for each angle that's a finite
 # number. `np.where(condition, a, b)` takes values from `a` where the condition is true, and from `b` elsewhere.
@@ -517,14 +519,14 @@ print("begun where the joint is:", round(Butterworth(1.0).step(0.9), 1))
 
 # %% [markdown]
 # For half a second, the filter reports a movement that never happened. So start from `sosfilt_zi(sos) * value`, the
-# state of a filter whose input has been `value` for a long time. The same fault occurs when a sensor restarts at a
+# state of a filter whose input has been `value` for a long time. The same thing happens when a sensor restarts at a
 # different position, because the filter still has its old state. Reset the state after a restart.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
 # **Worked example.** This node filters all twelve joints together. The state is a `deque` of arrays. With `axis=0`,
-# `np.mean` averages over time.
+# `np.mean` averages each joint's angle over the stored messages.
 
 
 # %%
@@ -556,8 +558,8 @@ kept = sum(stamp in stamps for stamp, _ in scope.filtered[10:30])
 print("answers with the stamp of a measurement:", kept, "of 20")
 
 # %% [markdown]
-# **Twelve joints and `sosfilt`.** With `axis=0`, one call filters all twelve joints over time. The array `memory` holds
-# a separate state for each joint.
+# **Twelve joints and `sosfilt`.** With `axis=0`, `sosfilt` filters along the time axis, so one call handles all twelve
+# joints. The array `memory` holds a separate state for each joint.
 
 # %% id="twelve-states"
 at_rest = sosfilt_zi(sos)  # 1 section, 2 numbers
@@ -618,7 +620,7 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # </details>
 #
-# **2. At 50 Hz, a filter may be at most 0.1 s late. How many messages can a moving average span?**
+# **2. Messages arrive at 50 Hz, and your filter may be at most 0.1 s late. How many messages can a moving average span?**
 #
 # <details><summary>a) 5</summary>
 #
@@ -640,7 +642,8 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # <details><summary>a) <code>np.nan_to_num</code> after the filter</summary>
 #
-# ✗ The NaN stays in the filter's state. If you replace it only after the filter, you publish zeros forever.
+# ✗ The NaN stays in the filter's state, so every later result is NaN. If you only replace those results, you publish
+# zeros forever.
 #
 # </details>
 # <details><summary>b) A lower cutoff frequency</summary>
@@ -687,23 +690,23 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # <details><summary>What a good answer covers</summary>
 #
-# Before it recommends a filter, it asks how much delay the controller tolerates. It compares a moving average or
-# exponential smoothing with a low-order Butterworth filter, in terms of noise *and* delay. It keeps the filter's state
-# in the node and doesn't suggest `filtfilt`. It initializes the state with the first measurement, keeps NaN out, and
-# copies stamps and names. It resets the state when the source restarts. And it asks whether you can reduce the noise at
-# its source.
+# Before recommending a filter, a good answer asks how much delay the controller tolerates. It compares a moving average
+# or exponential smoothing with a low-order Butterworth filter, in terms of noise *and* delay. It keeps the filter's
+# state in the node and doesn't suggest `filtfilt`. It initializes the state with the first measurement, keeps NaN out,
+# and copies stamps and names. It resets the state when the source restarts. Finally, it asks whether you can reduce the
+# noise at the source.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both in this course's environment, and both are wrong.
+# Watch for these two suggestions. We tested both in this course's environment, and neither works in a callback.
 #
 # - **Call `filtfilt` in the callback:** It runs over the samples backward as well as forward, so it needs samples that
 #   haven't arrived yet. Its result for the newest message changes when the next one arrives.
 # - **Call `savgol_filter` on the last samples, because it has no delay:** It centers a window on each sample. There's
-#   no full window around the newest samples, so it evaluates the polynomial that it fitted to the last full window.
-#   Their results change when the next message arrives.
+#   no full window around the newest samples, so for these, it evaluates the polynomial that it fitted to the last full
+#   window. So the results for the newest samples change when the next message arrives.
 #
 # </details>
 

@@ -12,7 +12,7 @@
 # - **Not covered:** how C++ nodes share memory
 
 # %% [markdown]
-# This whole notebook is optional: later lessons don't depend on it.
+# This notebook is optional: later lessons don't depend on it.
 
 # %% [markdown] prediction="array-of-a-message"
 # ## Predict
@@ -28,7 +28,7 @@
 #
 # - **a** `0.1`, because the array is a copy.
 #   when `first < 1.0`
-#   ✗ `np.array` would copy the values. `np.asarray` uses the message's memory, if it can.
+#   ✗ `np.array` would copy the values. `np.asarray` uses the message's memory if possible.
 # - **b** Nothing, because NumPy raises an error: messages are read-only.
 #   ✗ Message fields are writable, both by name and through an array that shares their memory.
 # - **c** `9.0`, because the array and the message share memory.
@@ -63,8 +63,8 @@ reveal("array-of-a-message", first=message.position[0])
 # `np.asarray` created a **view**: an array that uses the message's memory instead of its own. `np.array` created a
 # **copy**. A view costs almost nothing, but writing to a view changes the message.
 #
-# So use `np.asarray` if you only read, and `np.array` if you also write. Which other code sees your change? In this
-# example, one node has two subscriptions to the same topic. The first callback writes through a view:
+# So use `np.asarray` if you only read, and `np.array` if you also write. Which other code does your change affect? In
+# this example, a node subscribes twice to the same topic. The first callback writes through a view:
 
 # %% id="own-object"
 from rclpy.node import Node
@@ -101,13 +101,13 @@ for name, messages in two.got.items():
     print(f"{name}: the first angle is 9.0 in {changed} of 5 messages")
 
 # %% [markdown]
-# rclpy creates a new Python object for **each subscription**. Other callbacks and other nodes don't see your change.
-# The change goes only where *this* object goes: into a list that stores it, a method that receives it, or a publisher
-# that sends it.
+# For each message, rclpy creates a separate Python object **per subscription**. So your change doesn't affect other
+# callbacks or nodes. It appears only where *this* object is used: in a list that stores it, a method that receives it,
+# or a publisher that sends it.
 #
-# For a field whose **length may vary**, rclpy stores numbers in an `array.array` from Python's standard library. Such
-# an array keeps its numbers next to each other in memory, without a Python object for each. That's why a view works. A
-# field of **fixed length** is already a NumPy array. The field's type determines the **dtype**, the type of the array's
+# In a **variable-length** field, rclpy stores numbers in an `array.array` from Python's standard library. Such an array
+# keeps its numbers next to each other in memory, without a Python object for each. That's why a view works. A
+# **fixed-length** field is already a NumPy array. The field's type determines the **dtype**, the type of the array's
 # numbers.
 
 # %% id="dtypes"
@@ -131,10 +131,10 @@ print("nearest obstacle:", ranges[np.isfinite(ranges)].min(), "m")
 # `Float32MultiArray` and `LaserScan` hold 32-bit numbers, so 0.1 comes back rounded. A laser scanner reports `inf` in
 # directions where it detects nothing.
 #
-# How do you convert an array back? A field of fixed length accepts a NumPy array. A field of variable length accepts
-# one in the constructor: `JointState(position=angles)`. Only the assignment `message.position = angles` raises an
-# error, and only while **field checks** are on, as in these notebooks. In a node that you start with `ros2 run`,
-# they're off. Two conversions always work: `.tolist()`, and an `array.array` created from the array's bytes.
+# How do you put an array back into a message? A fixed-length field accepts a NumPy array. A variable-length field
+# accepts one in the constructor: `JointState(position=angles)`. But the assignment `message.position = angles` raises
+# an error if **field checks** are on, as in these notebooks. In a node that you start with `ros2 run`, they're off. Two
+# conversions always work: `.tolist()`, and an `array.array` created from the array's bytes.
 
 # %% id="and-back"
 import array
@@ -147,10 +147,10 @@ print("by bytes:  ", message.position)
 print("constructor:", JointState(position=angles).position)
 
 # %% [markdown]
-# What does each conversion cost? We time each one for twelve angles, for a laser scan of 10,000 values, and for a
-# million values, roughly a camera image. In the output, "in" means into a message, and "out" means out of one. "One by
-# one" creates a Python object for each number, but "in one piece" doesn't. Field checks are off here, as under
-# `ros2 run`. With field checks on, "in, one by one" takes several times as long.
+# What does each conversion cost? We time each one for twelve angles, a laser scan of 10,000 values, and a million
+# values, roughly the size of a camera image. In the output, "in" means into a message, and "out" means out of one. "One
+# by one" creates a Python object for each number, but "in one piece" doesn't. Field checks are off here, as they are
+# with `ros2 run`. With field checks on, "in, one by one" takes several times as long.
 
 # %% tags=["nbval-ignore-output"]
 from timeit import repeat
@@ -225,7 +225,8 @@ show(
 # For twelve joints, write the most readable code: `.tolist()`. For images and scans, don't loop over individual
 # numbers.
 #
-# **Your turn.** This scan has 10,000 distances. Write the line that counts the distances below 1 m, without a loop.
+# **Your turn.** This scan has 10,000 distances. Without a loop, write the expression that counts the distances below 1
+# m.
 
 # %% id="your-near"
 from workbook.lesson import yours
@@ -250,8 +251,8 @@ print(angles)
 # NumPy truncates each angle to a whole number, without an error or a warning. Use `np.zeros(3)`, which creates a
 # `float64` array.
 #
-# **Appending to a field while a view of it exists.** While a view uses its memory, an `array.array` can't change its
-# size:
+# **Appending to a field while a view of it exists.** An `array.array` can't change its size while a view is using its
+# memory:
 
 # %% id="buffer-error" tags=["raises-exception"]
 message = JointState(position=[0.1, 0.2, 0.3])
@@ -259,13 +260,13 @@ view = np.asarray(message.position)
 message.position.append(0.4)
 
 # %% [markdown]
-# Assign a new list instead of using `append`, or make a copy with `np.array`.
+# Assign a new list instead of using `append`. Or use `np.array` to make a copy instead of a view.
 
 # %% [markdown]
 # ## Take away
 #
 # - `np.asarray` uses the message's memory, and `np.array` copies it. Write only to copies.
-# - Each subscription gets a separate message object, so other callbacks don't see your changes.
+# - Each subscription gets a separate message object, so your changes don't affect other callbacks.
 # - A variable-length field accepts an array in the constructor. But the assignment `message.position = angles` fails
 #   while field checks are on, so use `.tolist()` or an `array.array`.
 # - For twelve values, use the most readable conversion. Don't handle a million values one by one.

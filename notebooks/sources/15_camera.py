@@ -15,8 +15,8 @@
 # - **Not covered:** lens distortion and calibration, depth, neural networks (lesson 16)
 #
 # Here's the view from the robot's head. An orange ball rolls across a desk, two orange bricks lie behind it, and
-# passing clouds change the light. The hands at the bottom are the robot's own: the camera node draws them using the
-# positions published on `/robot/joint_positions` (lesson 09).
+# passing clouds change the light. The hands at the bottom are the robot's own. This camera is simulated, and its node
+# draws the hands using the positions published on `/robot/joint_positions` (lesson 09).
 
 # %%
 from lesson_nodes import head_camera
@@ -70,9 +70,9 @@ print(f"data: {len(image.data)} bytes")
 # %% [markdown]
 # <details><summary>How to do this without the helper functions</summary>
 #
-# `start(head_camera, frozen=20)` runs `python -m lesson_nodes.head_camera --ros-args -p frozen:=20` as a process, and
-# `stop` ends that process as Ctrl-C would. `fresh` destroys the node that an earlier run of the cell created, and then
-# creates a new one. In plain rclpy, the rest of the cell is:
+# `start(head_camera, frozen=20)` runs `python -m lesson_nodes.head_camera --ros-args -p frozen:=20` in a separate
+# process, and `stop` ends that process as Ctrl-C would. `fresh` destroys the node that an earlier run of the cell
+# created, and then creates a new one. In plain rclpy, the rest of the cell is:
 #
 # ```python
 # rclpy.init()
@@ -147,7 +147,7 @@ print(f"shape {pixels.shape}, dtype {pixels.dtype}, {copied}")
 # ## Predict
 #
 # The ball is orange: a lot of red, some green, and very little blue. Suppose your code interprets the `rgb8` image as
-# `bgr8`, the order that OpenCV's `imread` and `imshow` use. What color is the ball now?
+# `bgr8`, the order that OpenCV's `imread` and `imshow` use. What color does the ball appear to be?
 #
 # - **a** Green.
 #   when `green > red and green > blue`
@@ -345,9 +345,9 @@ print("ball:      ", angles(*find_ball(pixels)))
 #
 # ### Close the loop
 #
-# Now connect the camera to the neck. For each image, the node finds the ball, computes its angle, and turns the neck by
-# a quarter of that angle. The next image shows the remaining error, and the node corrects a quarter of that, too. This
-# is a **feedback loop**, and the factor of a quarter is its **gain**.
+# Now connect the camera to the neck. For each image, a new node finds the ball, computes its angle, and turns the neck
+# by a quarter of that angle. The next image shows the remaining error, and the node corrects a quarter of that, too.
+# This is a **feedback loop**. The fraction that the node corrects each time, here a quarter, is the loop's **gain**.
 
 # %%
 from workbook.pictures.graph import draw
@@ -366,8 +366,8 @@ show(
 )
 
 # %% [markdown]
-# **Your turn.** Write the line that turns the neck. The neck's angle is positive to the left, but the ball's angle is
-# positive to the right.
+# **Your turn.** Write the expression that computes the neck's next angle. The neck's angle is positive to the left, but
+# the ball's angle is positive to the right.
 
 # %% id="your-turn-of-the-neck"
 GAIN = 0.25
@@ -427,8 +427,9 @@ print("images received in 3 s:", len(follower.errors_px) + follower.lost)
 
 # %% [markdown]
 # No images arrive, and rclpy logs a warning. The camera offers **best effort**: a lost image isn't sent again, because
-# the next one is due in 33 ms anyway. A subscription created with only a depth requests *reliable*, so its QoS is
-# incompatible with the camera's (lesson 13). Use `qos_profile_sensor_data` instead, which requests best effort.
+# the next one is due in 33 ms anyway. A subscription that you create with just a queue depth requests *reliable*
+# delivery, so its QoS is incompatible with the camera's (lesson 13). Use `qos_profile_sensor_data` instead, which
+# requests best effort.
 #
 # From here on, the camera takes each image only after the neck has responded to the previous one. Otherwise, on a busy
 # computer, some images would arrive late, and the results would vary.
@@ -469,9 +470,10 @@ show_film(
 )
 
 # %% [markdown]
-# Without the loop, the ball would wander up to 250 px from the center. The node doesn't need to know how far away the
-# ball is, or exactly how far to turn. Because the camera is tilted, centering a ball that appears 14.2° to the left
-# takes a turn of 15.7°. But later corrections make up the difference.
+# Without the loop, the ball would wander up to 250 px from the center. With the loop, the ball stays close to the
+# center, even though the node computes neither the ball's distance nor the exact turn. For example, because the camera
+# is tilted, centering a ball that appears 14.2° to the left takes a turn of 15.7°. But later corrections make up the
+# difference.
 
 # %% [markdown] prediction="smaller-gain"
 # ## Change it
@@ -489,7 +491,7 @@ show_film(
 #   when `lost_share >= 0.5`
 #   ✗ The farther the head lags, the larger each correction gets. Once the corrections match the ball's speed, the lag
 #   stops growing.
-# - **c** Clearly farther, but it stays in the image.
+# - **c** Noticeably farther, but it stays in the image.
 #   when `error_px >= 1.5 * error_before_px and lost_share < 0.5`
 #   ✓ The head falls behind until the correction per image, a twentieth of the error, equals the ball's motion per
 #   image.
@@ -518,7 +520,7 @@ reveal(
 # Images are never quite fresh, because exposure, transfer, and detection take time. We hold each image back for 0.1 s
 # (three frames) and set the gain to 1.0. How does the head move?
 #
-# - **a** It swings past the ball, back and forth.
+# - **a** It swings back and forth past the ball.
 #   when `error_px >= 2 * error_before_px`
 #   ✓ Each turn is based on an image that doesn't show the last three turns yet. So the node corrects the same error
 #   several times, and the head overshoots.
@@ -604,7 +606,7 @@ show(
 # %% [markdown]
 # The image dissolves into stripes. To fix this, reshape to `(height, step)` first, as `to_pixels` does.
 #
-# **Calling `cv2.imshow` in a callback.** Displaying an image takes time in the thread that runs your callbacks. It also
+# **Calling `cv2.imshow` in a callback.** Displaying an image holds up the thread that runs your callbacks. It also
 # needs an OpenCV build with GUI support. Ubuntu's `python3-opencv` is such a build, but PyPI's
 # `opencv-python-headless`, which this course installs, isn't.
 
@@ -701,7 +703,7 @@ else:
 # ✗ Columns are numbered from left to right, so a larger column number is farther to the right.
 #
 # </details>
-# <details><summary>b) 13° right: 44% of the way to the edge, which is at 29.7°</summary>
+# <details><summary>b) 13° right, because the ball is 44% of the way to the edge, and the edge is at 29.7°</summary>
 #
 # ✗ The angle isn't proportional to the distance from the center. Its tangent is.
 #
@@ -712,7 +714,7 @@ else:
 #
 # </details>
 #
-# **4. Your robot's head swings past the ball, back and forth. What reduces the swinging?**
+# **4. Your robot's head swings back and forth past the ball. What reduces the swinging?**
 #
 # <details><summary>a) A larger gain</summary>
 #
@@ -744,10 +746,10 @@ else:
 #
 # <details><summary>What a good answer covers</summary>
 #
-# It handles `encoding` and `step`, or uses a converter that does. It subscribes with sensor-data QoS and a short queue.
-# It finds the ball by hue and shape rather than brightness, and says what to publish when there's no ball. It takes the
-# focal length from `CameraInfo` and states which way x, y, and z point. It copies the image's stamp. It corrects only
-# part of the error with each image, and mentions that a delay can make the head swing.
+# The code handles `encoding` and `step`, or uses a converter that does. It subscribes with sensor-data QoS and a short
+# queue. It finds the ball by hue and shape rather than brightness, and takes the focal length from `CameraInfo`. It
+# copies the image's stamp, and corrects only part of the error with each image. A good answer also says what to publish
+# when there's no ball, and which way x, y, and z point. It mentions that a delay can make the head swing.
 #
 # </details>
 #

@@ -34,8 +34,8 @@ predict("how-much-smaller")
 # %% [markdown]
 # ## Run it
 #
-# The camera publishes the same frame over and over, so all raw images have the same size, and so do all JPEGs. We also
-# record how old each image is by the time it's ready to use.
+# The camera publishes the same frame over and over, so all raw images have one size, and all JPEGs have another. We
+# also record how old each image is by the time it's ready to use.
 
 # %% id="weigh"
 import time
@@ -104,8 +104,9 @@ show(
 )
 
 # %% [markdown]
-# This compression ratio is specific to our synthetic desk, which is mostly smooth surfaces; expect a lower one in a
-# cluttered room. At 27.6 MB/s, the raw images need 220 Mbit/s, more than many Wi-Fi networks can carry.
+# This compression ratio is specific to our synthetic desk scene, which consists mostly of smooth surfaces; expect a
+# lower one in a cluttered room. In bits, the raw images' 27.6 MB/s is 220 Mbit/s, more than many Wi-Fi networks can
+# carry.
 
 # %% [markdown]
 # ## Look inside
@@ -145,8 +146,8 @@ print(
 
 # %% [markdown]
 # `publish` never waits for a subscriber's callback, and each subscription has its own queue. So the detector receives
-# old images, while the viewer receives fresh ones. That's why the problem is hard to spot: everything but the detector
-# looks fine.
+# old images, while the viewer receives fresh ones. This makes the problem hard to spot, because everything but the
+# detector looks fine.
 #
 # **Your turn.** The detector's queue is full: 30 images are waiting. How much older is the oldest of them than the
 # newest?
@@ -160,9 +161,10 @@ queue_spans_s = ...  # TODO: from DEPTH and PERIOD_S, in seconds
 yours(queue_spans_s, 29 / 30, "30 images have 29 intervals between them.")
 
 # %% [markdown]
-# The fix is a queue depth of 1. Reliable QoS wouldn't help. DDS acknowledges an image when it enters the queue, not
-# when your callback has handled it. So a slow callback doesn't make the camera resend anything. On the loopback
-# interface, where no packets were lost, the camera sent as many image bytes with reliable QoS as with best effort.
+# The fix is a queue depth of 1. You might expect reliable QoS to help, too, but it wouldn't. DDS acknowledges an image
+# when it enters the queue, not when your callback has handled it. So a slow callback doesn't make the camera resend
+# anything. In our test on the loopback interface, no packets were lost. The camera sent as many image bytes with
+# reliable QoS as with best effort.
 
 # %% [markdown]
 # ## Take away

@@ -1,18 +1,21 @@
 # %% [markdown]
 # # 16 · An AI model in a node
 #
-# A neural network can tell apart objects that a color threshold can't. But it takes time, and the world doesn't wait
-# for it. How old are the network's results when the robot uses them?
+# A neural network can distinguish objects that all look the same to a color threshold. But it takes time, and the world
+# doesn't wait for it. How old are the network's results when the robot uses them?
 #
 # - **Minutes:** 45
 # - **You need:** lessons [10](10_slow_callbacks.ipynb) and [15](15_camera.ipynb)
-# - **You will be able to:** run a trained network in a node, explain the age of its outputs, and catch faults that
-#   raise no error
+# - **You will be able to:**
+#   - run a trained network in a node
+#   - work out how old the network's outputs are
+#   - catch faults that raise no error
 # - **Not covered:** how networks learn, graphics cards, tracking objects from image to image
 
 # %% [markdown]
-# Everything on this desk is orange: a ball, a cup, a plate, and a brick. Color doesn't distinguish them, so lesson 15's
-# tracker would fail. But a small neural network can tell them apart. In the clip, watch the box around the ball.
+# Everything on this desk is orange: a ball, a cup, a plate, and a brick. They can't be distinguished by color, so
+# lesson 15's tracker would fail. But a small neural network can tell them apart. In the clip, watch the box around the
+# ball.
 
 # %%
 from lesson_nodes import toy_camera, toy_detector
@@ -46,9 +49,9 @@ show_film(
 )
 
 # %% [markdown]
-# The boxes around the cup, the plate, and the brick fit well. The ball's box lags behind, because the ball kept rolling
-# while the network was running. Our network is small and needs only a few milliseconds. To imitate a large one, the
-# node takes 0.2 s per image and sleeps for most of that time.
+# The boxes around the cup, the plate, and the brick fit well. The ball's box lags behind, because the ball keeps
+# rolling while the network is running. Our network is small and needs only a few milliseconds. To imitate a large one,
+# the node takes 0.2 s per image and sleeps for most of that time.
 #
 # [the same without helpers: init, start, fresh, run]
 
@@ -56,8 +59,8 @@ show_film(
 # ## Predict
 #
 # In the clip, the detector's subscription had a queue depth of 1. A colleague changes it to 10, the depth in most
-# examples. Each second, 30 images arrive, but the detector handles only five. How far does the box lag behind the ball
-# now, compared with before?
+# examples. Each second, 30 images arrive, but the detector handles only five. How far does the box now lag behind the
+# ball, compared with the first clip?
 #
 # - **a** About ten times as far: ten images wait instead of one.
 #   when `far >= 4 * near`
@@ -119,8 +122,8 @@ reveal("box-at-depth-10", near=near, far=far)
 # %% [markdown]
 # ## Look inside
 #
-# What matters to a robot is the **age of the output**: the time since its image was taken. The detector copies the
-# image's stamp into its message, so every subscriber can compute that age.
+# For a robot, the important number is the **age of an output**: the time since the image behind that output was taken.
+# The detector copies the image's stamp into its message, so every subscriber can compute that age.
 #
 # Here's the node (`lesson_nodes/toy_detector.py`). It loads the network once, in `__init__`, and calls it like a function.
 
@@ -168,9 +171,10 @@ print(f"right on held-back pictures: {made['accuracy']['reached']:.1%}")
 print("SHA-256 of the file:", made["sha256"]["desk_detector.onnx"][:12], "...")
 
 # %% [markdown]
-# `make model` trains the network again in less than five minutes. You can also run the same network with other libraries.
-# After `make env EXTRAS=torch`, `DeskDetector(TorchNetwork())` uses PyTorch. With `EXTRAS=tensorflow`,
-# `DeskDetector(KerasNetwork())` uses Keras. Both classes are in `workbook.models.networks`, and the node doesn't change.
+# `make model` trains the network again in less than five minutes. You can also run the same network with other
+# libraries. After `make env EXTRAS=torch`, `DeskDetector(TorchNetwork())` uses PyTorch. With `EXTRAS=tensorflow`,
+# `DeskDetector(KerasNetwork())` uses Keras. Both classes are in `workbook.models.networks`, and you don't need to
+# change the node to use them.
 
 # %% [markdown] prediction="age-at-depth-1"
 # ## Change it
@@ -226,16 +230,16 @@ show(
 )
 
 # %% [markdown]
-# Once the queue is full, each new image waits behind the others. At 30 Hz, a full queue of *n* images spans *n*/30 s.
-# With a depth of 50, the queue takes about two seconds to fill, so a shorter test doesn't reveal the problem. Until the
-# queue is full, the outputs keep getting older.
+# Once the queue is full, each new image waits behind the others. At 30 Hz, a full queue of *n* images spans *n*/30 s,
+# so each image waits about that long. With a depth of 50, the queue takes about two seconds to fill, so a shorter test
+# doesn't reveal the problem. The outputs keep getting older until the queue is full.
 
 # %% [markdown] prediction="thread"
 # ### Experiment 2: a thread for the newest image
 #
-# A timer in the node publishes a heartbeat ten times a second. But with the network in the callback, only about five
-# beats a second are published. Now the callback just stores the newest image, and a separate thread runs the network.
-# What changes?
+# A timer in the node is set to publish a heartbeat ten times a second. But while the network runs in another callback
+# of this node, only about five heartbeats a second are published. Now that callback just stores the newest image, and a
+# separate thread runs the network. What changes?
 #
 # - **a** The heartbeat becomes regular. The outputs are as old as before.
 #   when `beats >= 1.3 * beats_before and age >= 0.2`
@@ -332,8 +336,8 @@ in_a_row(
 
 # %% [markdown] prediction="threshold"
 # In the first image, an arm hides half of a plate, and the network labels the plate as a cup. In the second image, the
-# network mistakes a half-hidden brick for a cup. You raise the threshold to 0.8 and test 200 images. How do the
-# detections change?
+# network mistakes a half-hidden brick for a cup. Suppose that you raise the threshold to 0.8 and test 200 images. How
+# do the detections change?
 #
 # - **a** There are fewer wrong detections, and all of the correct ones remain.
 #   when `lost <= 0`
@@ -391,7 +395,7 @@ for words, right in (
 # %% [markdown]
 # There's no error and no warning. So keep a few images with known content, and check the detector against them in a test.
 #
-# **Detections with the wrong stamp.** This detector stamps each output with the time at which it publishes.
+# **Detections with the wrong stamp.** This detector stamps each output with the time at which the output is published.
 
 # %% id="stamped-now"
 stamped = await watch(number=8, stamps_now=True)
@@ -402,8 +406,8 @@ print("by their stamps, outputs are", by_stamps)
 # No output can be that fresh, because the network alone takes 0.2 s. But a subscriber has only the stamp, so it assumes
 # that the ball is there *now*. Copy the image's header instead.
 #
-# **The network is loaded in each callback.** Large networks take seconds to load. To imitate that, we make ours take
-# one second.
+# **Loading the network every time the callback runs.** Large networks take seconds to load. To imitate that, we make
+# ours take one second.
 
 # %% id="loaded-each-time"
 loading = await watch(number=4, loads_each_time=True, load_s=1.0)
@@ -461,7 +465,7 @@ for pose, up in (
     print(f"{pose + ':':<12} {tilt(Imu(linear_acceleration=up)):.0f}°")
 
 # %% [markdown]
-# A jolt, too, can make the robot look tilted for a sample or two. So count the tilted samples: report a fall only after
+# A jolt can also make the robot look tilted for a sample or two. So count the tilted samples: report a fall only after
 # several *in a row*, and reset the count when a sample isn't tilted.
 #
 # **Your turn.** Complete the function. These samples contain a jolt that lasts two samples, and then a fall.
@@ -508,7 +512,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # %% [markdown]
 # ## Check yourself
 #
-# **1. The network takes 0.1 s, images arrive at 30 Hz, and the queue depth is 30. How old is an output after a minute?**
+# **1. The network takes 0.1 s, images arrive at 30 Hz, and the queue depth is 30. After the node has run for a minute, how old is an output?**
 #
 # <details><summary>a) About 0.1 s</summary>
 #
@@ -548,7 +552,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # <details><summary>a) The queue depth</summary>
 #
-# ✗ A deep queue makes outputs stale, not empty.
+# ✗ A deep queue makes detections old, but it doesn't remove any.
 #
 # </details>
 # <details><summary>b) The network's weights</summary>
@@ -568,7 +572,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
 # object detector on /camera/image (30 Hz, rgb8) and publishes the detections. Inference
 # takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Make sure that every rclpy
 # function you use exists in Jazzy.
@@ -576,11 +580,11 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # <details><summary>What a good answer covers</summary>
 #
-# It loads the network once and runs it in a thread that takes the newest image. Its subscription uses best-effort
-# reliability and a depth of 1. It copies the image's header into the detections. The network doesn't delay the
-# heartbeat's timer. If inference runs in a callback instead, the heartbeat needs several threads *and* a separate
-# callback group. An exception from the model doesn't end the thread, because the node catches and logs it. A good
-# answer also asks how the model was trained: color order, size, and scaling.
+# The node loads the network once and runs it in a thread that takes the newest image. Its subscription uses best-effort
+# reliability and a depth of 1. The node copies the image's header into the detections. The network doesn't delay the
+# heartbeat's timer. If inference runs in a callback instead, the executor needs several threads, *and* the heartbeat
+# needs a separate callback group. An exception from the model doesn't end the thread, because the node catches and logs
+# it. A good answer also asks how the model was trained: color order, size, and scaling.
 #
 # </details>
 #
@@ -588,9 +592,9 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # Watch for these two suggestions. We tested both with this course's rclpy, and both failed.
 #
-# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** With only a depth of 10, the subscription
-#   requests reliable delivery, so it receives nothing from a best-effort camera. Even if images arrived, a queue of ten
-#   would span a third of a second.
+# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** Because only a depth is given, the
+#   subscription requests reliable delivery, so it receives nothing from a best-effort camera. Even if images arrived, a
+#   queue of ten would add about a third of a second to the age of each output.
 # - **`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network:** This network was trained on RGB images. With blue and
 #   red swapped, there's no error, but the detections are wrong.
 #
@@ -601,7 +605,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # - An output's age is the time since its image was taken: the time in the queue plus the network's time.
 # - Use a best-effort subscription with a queue of one image, because the newest image is the most useful one.
-# - Run a slow network in a thread that takes the newest image, so the executor keeps the heartbeat regular.
+# - Run a slow network in a thread that takes the newest image, so that the heartbeat stays regular.
 # - Copy the image's stamp into its detections.
 # - Use the color order and scaling from training, because a mismatch raises no error.
 #

@@ -2,13 +2,13 @@
 # # 16 · Deeper: falls, and where a model runs
 #
 # A robot should detect a fall as early as possible. Which model can do that, and where should a model run so that it
-# doesn't delay other callbacks?
+# doesn't delay the node's callbacks?
 #
 # - **Minutes:** 40
 # - **You need:** lesson [16](16_ai_model.ipynb)
 # - **You will be able to:**
 #   - train a small model on sensor readings, and judge it by the cost of its mistakes
-#   - decide whether a model can run in a thread or needs a process
+#   - decide whether a model can run in a thread or needs its own process
 #   - keep a node running when its model fails
 # - **Not covered:** recurrent networks, and graphics cards
 
@@ -56,9 +56,10 @@ show(
 #   when `gain > 0.1`
 #   ✓ The rule has to wait until the tilt is larger than in the deepest bow. The model's input also shows that the hip
 #   stays straight while the torso tilts.
-# - **b** Both at about the same time: until then, a fall looks just like a bow.
+# - **b** Both at about the same time: before the alarm, a fall looks just like a bow.
 #   when `gain >= -0.1 and gain <= 0.1`
-#   ✗ Only the tilt looks alike. The hip moves in a bow but not in a fall, and the model also receives the hip angle.
+#   ✗ Only the tilt looks the same in both. The hip moves in a bow but not in a fall, and the model also receives the
+#   hip angle.
 # - **c** The rule, by more than 0.1 s: it needs only one sample, while the model needs a whole window.
 #   when `gain < -0.1`
 #   ✗ The window slides: it always holds the newest sample and the nine before it. So the model doesn't have to wait,
@@ -126,7 +127,7 @@ show(
 )
 
 # %% [markdown]
-# The hip bends in a bow but stays straight in a fall. How many windows does the model classify correctly?
+# The hip bends in a bow but stays straight in a fall. Now let's count the windows that the model classifies correctly.
 
 # %%
 from sklearn.metrics import confusion_matrix
@@ -154,9 +155,9 @@ print("the model is right on", right_percent, "of the held-back windows")
 print(f"a model that always says 'no fall': {fine:.1%}")
 
 # %% [markdown]
-# Falls are rare, so a high share of correctly classified windows means little. Even a model that never reports a fall
-# is right most of the time. Count the costly mistakes instead: late alarms and false alarms. The threshold trades one
-# for the other.
+# Falls are rare, so high accuracy (the share of correctly classified windows) means little. Even a model that never
+# reports a fall is right most of the time. Count the costly mistakes instead: late alarms and false alarms. The
+# threshold trades one for the other.
 
 # %% id="late-or-false"
 LEVELS = (0.1, 0.5, 0.9)
@@ -191,12 +192,12 @@ show(fig, "delay against false alarms: a low threshold is early and often wrong"
 # %% [markdown]
 # For a moment, a robot that's pushed and then catches itself looks like a falling one. If an alarm only makes the robot
 # stretch out its arms, a false alarm does little harm. But if it cuts the robot's power, a false alarm makes the robot
-# fall. In a node, keep the window in a `collections.deque(maxlen=10)`. Clear it when the node that publishes the
-# samples restarts.
+# fall. To use the model in a node, keep the window in a `collections.deque(maxlen=10)`. Clear this deque when the node
+# that publishes the samples restarts.
 #
 # **Your turn.** Suppose that a false alarm costs as much as 1 ms of delay if the robot only stretches out its arms. If
-# the robot cuts its power, the cost is 50 ms of delay. For each threshold, add the cost of all false alarms to the
-# typical delay. Which of the three thresholds is cheapest in each case?
+# the robot cuts its power, each false alarm costs as much as 50 ms of delay. For each threshold, add the cost of all
+# false alarms to the typical delay. Which of the three thresholds is cheapest in each case?
 
 # %% id="your-threshold"
 from workbook.lesson import yours
@@ -216,7 +217,7 @@ yours(
 # ### Three models in a thread
 #
 # A node publishes a heartbeat ten times a second, and one of its threads runs a model for two seconds. We try three
-# models: a loop in pure Python, a network in ONNX Runtime, and C code that keeps the GIL (as some drivers do). Which of
+# models: a loop in pure Python, a network in ONNX Runtime, and C code that holds the GIL, as some drivers do. Which of
 # them stop the heartbeat for those two seconds?
 #
 # - **a** Pure Python and the C code.
@@ -358,15 +359,16 @@ import sys
 print("a thread that waits asks for the lock after", sys.getswitchinterval(), "s")
 
 # %% [markdown]
-# A callback that releases the lock several times has to wait each time to get it back. And under the GIL, two threads
-# never run Python code at the same time, no matter how many cores there are. If C code keeps the lock, a thread doesn't
-# help.
+# A callback may release the lock several times while it runs, and each time, it has to wait to get the lock back. And
+# under the GIL, two threads never run Python code at the same time, no matter how many cores there are. If C code holds
+# on to the lock, a thread doesn't help.
 
 # %% [markdown] prediction="to-another-process"
 # ### A process next to the node
 #
-# A separate process has its own GIL. `ProcessPoolExecutor` starts one, pickles each image, and sends it through a pipe.
-# We send an image of 160 by 120 pixels, and then one of 1,920 by 1,440. How much longer does the large one take?
+# A separate process has its own GIL. `ProcessPoolExecutor` starts such a process, pickles each image, and sends it to
+# the process through a pipe. We send an image of 160 by 120 pixels, and then one of 1,920 by 1,440. How much longer
+# does the large one take?
 #
 # - **a** Less than twice as long: waking the other process takes most of the time.
 #   when `ratio < 2`
@@ -417,11 +419,11 @@ print("1,920 × 1,440:", about(1000 * large_s, "ms", between=(1, 500)))
 reveal("to-another-process", ratio=large_s / small_s)
 
 # %% [markdown]
-# Send the process only the header and the model's input, already scaled to the size that the model expects. Or make the
-# second process a node that subscribes to the camera, so you don't have to pass images along. Lesson 16's
+# So send the process only the header and the model's input, already scaled to the size that the model expects. Or make
+# the second process a node that subscribes to the camera, so you don't have to pass images along. Lesson 16's
 # `toy_detector` works this way.
 #
-# Does a separate process help if C code keeps the lock?
+# Does a separate process help if C code holds on to the lock?
 
 # %% id="lock-in-a-process"
 beside_it = await think(lambda: pool.submit(beside.hold_the_lock, 2.0).result())
@@ -429,9 +431,9 @@ print("the model took", about(beside_it.took_s, "s", between=(2, 10)))
 print("longest silence:", about(beside_it.silence(), "s", between=(0.09, 1.4)))
 
 # %% [markdown]
-# It does: the node's thread waits for the result without holding the lock. `spawn` starts a new Python process, which
-# has to load the model itself. The alternative, `fork`, copies a process but only one of its threads. The copy would
-# lack the threads in which DDS runs, so don't use `fork` together with rclpy.
+# It does: the node's thread waits for the result without holding the lock. We started the process with `spawn`, which
+# creates a new Python process that has to load the model itself. The alternative, `fork`, copies a process but only one
+# of its threads. The copy would lack the threads in which DDS runs, so don't use `fork` together with rclpy.
 
 # %% [markdown] prediction="eight-at-once"
 # ### Eight images in one call
@@ -476,9 +478,9 @@ reveal("eight-at-once", ratio=eight / (8 * one))
 # With a batch, the network has to wait for the last image. At 30 Hz, the first of eight images is already 7/30 s (0.23
 # s) old when the network starts. So use batches for training and for recorded data.
 #
-# A network's first call takes longer than later ones, because it allocates memory. Many libraries also compile code at
-# that point. We load the network sixty times, call it twice each time, and compare the fastest first call with the
-# fastest second call.
+# The first call to a network takes longer than later ones, because the library allocates memory during that call. Many
+# libraries also compile code at that point. We load the network sixty times, call it twice each time, and compare the
+# fastest first call with the fastest second call.
 
 # %% id="warm-up"
 
@@ -495,9 +497,9 @@ print("first call: ", about(first_ms, "ms", between=(0.3, 60), digits=3))
 print("second call:", about(second_ms, "ms", between=(0.3, 60), digits=3))
 
 # %% [markdown]
-# So after loading the network, call it once with an empty image, as a *warm-up*. Our network is small: in our test on
-# an idle machine, its first call took only 10% longer. A large network may take seconds for its first image. Subscribe
-# to the camera only after the warm-up.
+# So after loading the network, call it once with a blank image, as a *warm-up*. Our network is small: in our test on an
+# idle machine, its first call took only 10% longer. A large network may take seconds for its first image. Subscribe to
+# the camera only after the warm-up.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -537,11 +539,12 @@ except Exception as fault:
     print(f"{type(fault).__name__}: {fault}")
 
 # %% [markdown]
-# To pickle a method, Python also has to pickle its node, and a node can't be pickled. Instead, submit a function from a
-# module, and pass it plain data. A function from a notebook cell fails, too, because the other process can't import it.
+# To pickle a method, Python also has to pickle the object that the method is bound to. Here, that object is a node, and
+# a node can't be pickled. Instead, submit a function from a module, and pass it plain data. A function from a notebook
+# cell fails, too, because the other process can't import it.
 #
-# **The process crashes.** A fault in C code ends a process immediately. To imitate one, we make the process exit with
-# code 3:
+# **The process crashes.** A crash in C code ends the whole process immediately. To simulate such a crash, we make the
+# process exit with code 3:
 
 # %% id="process-crashed" tags=["raises-exception"]
 import os
@@ -571,12 +574,12 @@ print("longest silence:", about(again.silence(), "s", between=(0.09, 1.4)))
 # ## Take away
 #
 # - If the input is just a few numbers, a small scikit-learn model may be enough. Hold back whole episodes to test it.
-# - If falls are rare, the share of correctly classified windows means little. Count late alarms and false alarms
-#   instead.
+# - If falls are rare, accuracy (the share of correctly classified windows) means little. Count late alarms and false
+#   alarms instead.
 # - A thread is enough if the model releases the GIL. The interpreter makes Python code release it when another thread
 #   is waiting. C code releases it only if it was written to do so.
-# - A separate process protects the node from code that keeps the GIL, and from crashes. Its input is copied, so keep it
-#   small.
+# - A separate process protects the node from code that holds on to the GIL, and from crashes. Everything that you send
+#   to the process is copied, so keep the input small.
 # - Load the model and warm it up before the first image. On one core, a batch saves little and makes the outputs stale.
 #
 # **Before:** [16 · An AI model in a node](16_ai_model.ipynb)
