@@ -13,7 +13,8 @@ _BOX = "<details><summary>{title}</summary>\n\n{inside}\n\n</details>"
 PLAIN = {
     "start": """\
 `start(program, period_s=0.5)` starts one of this course's programs in its own process, and waits until other programs
-can discover its node. `stop()` ends it as Ctrl-C would. In a terminal, put the program's name in place of `NAME`:
+can discover its node. `stop()` ends the program as Ctrl-C would. To start a program in a terminal, run this command
+with the program's name in place of `NAME`:
 
 ```bash
 python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
@@ -27,14 +28,15 @@ full ROS 2 installation, this command records in real time while the program run
 ros2 bag record /robot/cmd_vel
 ```""",
     "init": """\
-`init()` starts ROS unless it's already running, so you can rerun the cell:
+`init()` starts ROS unless it's already running, so you can rerun the cell. In plain rclpy:
 
 ```python
 if not rclpy.ok():
     rclpy.init()
 ```""",
     "fresh": """\
-`fresh(MyNode, ...)` destroys the node that an earlier run of the cell created, and then calls `MyNode(...)`:
+`fresh(MyNode, ...)` destroys the node that an earlier run of the cell created, and then calls `MyNode(...)`. In
+plain Python:
 
 ```python
 if "node" in globals():
@@ -43,7 +45,7 @@ node = MyNode()
 ```""",
     "run": """\
 `await run(node, seconds=5, until=done)` runs the node's callbacks until `done()` is true. It also keeps the
-notebook's buttons working. Otherwise, it works like this loop:
+notebook's buttons working. Apart from that, it works like this loop:
 
 ```python
 end = time.monotonic() + 5
