@@ -15,8 +15,8 @@
 # - **Not covered:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
-# Timers move both arms of this robot. The next cell does nothing for two seconds, and then calls `spin_once` sixty
-# times. Watch the arms.
+# This robot moves each arm in a timer callback. The next cell does nothing for two seconds, and then calls `spin_once`
+# sixty times. Watch the arms.
 
 # %%
 import time
@@ -46,16 +46,16 @@ moved_rad = about(max(seen) - min(seen), "rad", between=(1.0, 2.1))
 print("in sixty calls: moved by", moved_rad)
 
 # %% [markdown]
-# The numbers show how far the left shoulder turned. It moved only because you called `spin_once`. In a real program,
-# `rclpy.spin` makes these calls for you. This lesson shows what a single call to `spin_once` does.
+# The numbers show how far the left shoulder turned. The arm moved only because you called `spin_once`. In a real
+# program, `rclpy.spin` makes these calls for you. This lesson shows what a single call to `spin_once` does.
 #
 # [the same without helpers: init, fresh]
 
 # %% [markdown] prediction="five-words"
 # ## Predict
 #
-# A robot subscribes to `/robot/words`. Five words have arrived and are waiting in the robot's queue. Then this line
-# runs, once:
+# A robot subscribes to `/robot/words`. Five words have arrived and are waiting in the subscription's queue. Then this
+# line runs once:
 #
 # ```python
 # rclpy.spin_once(robot, timeout_sec=0.5)
@@ -69,12 +69,12 @@ print("in sixty calls: moved by", moved_rad)
 # - **b** 5: one spin handles everything that has arrived.
 #   when `heard == 5`
 #   ✗ `spin_once` runs one callback and returns. Each waiting word needs its own call.
-# - **c** As many as fit into half a second.
+# - **c** As many times as it can in half a second.
 #   when `1 < heard < 5`
 #   ✗ The timeout doesn't limit how long callbacks run. It limits how long the call waits when nothing is ready.
 # - **d** 0: the callback ran by itself as each word arrived, so nothing is left to do.
 #   when `heard == 0`
-#   ✗ Words arrive by themselves, but the callback runs in your thread, and only while that thread spins.
+#   ✗ Words arrive by themselves, but the callback runs in your thread, and only while that thread spins the node.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -86,7 +86,7 @@ predict("five-words")
 #
 # The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). One timer makes its
 # heart beat, and another makes it look around. The robot also repeats each word that it receives. Each callback adds an
-# entry to a list, `robot.done`. For now, both timers are so slow that only the words matter.
+# entry to the list `robot.done`. For now, both timers are so slow that only the words matter.
 #
 # First, we publish words without spinning the robot.
 
@@ -126,7 +126,7 @@ time.sleep(1.0)
 print("heard after more than a second:", robot.done)
 
 # %% [markdown]
-# The words were published, because `publish` doesn't need `spin`. Next comes the call from the prediction.
+# The list is empty: publishing doesn't need `spin`, but callbacks do. Next comes the call from the prediction.
 
 # %% id="one-is-not-all"
 rclpy.spin_once(robot, timeout_sec=0.5)
@@ -164,7 +164,7 @@ yours(
 #
 # Next, the timers run at normal speed: the heart beats every 1.0 s, and the robot looks around every 2.1 s. We publish
 # three words, reset both timers, and wait 2.2 s without spinning. By then, both timers are due and three words are
-# waiting. We call `spin_once` eight times, and record which callback each call ran and how long it took.
+# waiting. We call `spin_once` eight times, and record which callback each call runs and how long the call takes.
 
 # %%
 from workbook.lesson import show_machine, watch_machine
@@ -189,7 +189,7 @@ print("all of calls 1 to 5 took", about(sum(took[:5]), "s", between=(0, 0.5)))
 print("all of calls 6 to 8 took", about(sum(took[5:]), "s", between=(0.5, 3)))
 
 # %% [markdown]
-# Here are the same eight calls, drawn as in lesson 04. Each green arrow is one call to `spin_once`.
+# Here are the eight calls, drawn as in lesson 04. Each green arrow is one call.
 
 # %% id="machine"
 show_machine(
@@ -199,8 +199,8 @@ show_machine(
 )
 
 # %% [markdown]
-# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in order of arrival. From call 6 on, nothing is
-# ready, so `spin_once` *waits* and returns soon after the next timer is due.
+# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in order of arrival. Then nothing is ready
+# anymore, so `spin_once` *waits* and returns soon after the next timer is due.
 #
 # In this rclpy version, timers come before messages, but don't rely on that order. The heartbeat was due at 1.0 s
 # *and* at 2.0 s, but its callback ran only once. [Lesson 05](05_timers.ipynb) explains why.
@@ -209,14 +209,14 @@ show_machine(
 # |---|---|
 # | `SingleThreadedExecutor` | one thread, one callback at a time; `rclpy.spin` uses it |
 # | `MultiThreadedExecutor` | several threads (lesson 10) |
-# | `EventsExecutor` (`rclpy.experimental`) | in this build, its `spin` ran no callback at all, so don't use it here |
+# | `EventsExecutor` (`rclpy.experimental`) | in our tests of this build, its `spin` ran no callbacks; don't use it here |
 
 # %% [markdown]
 # ## Change it
 #
-# Each example below runs as a separate program. If a program prints nothing for four seconds, a **watchdog** ends it.
-# The examples are functions in [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` prints one
-# function's code, runs it with a new node, and reports how the program ended.
+# Each example below runs as a separate program. If a program prints nothing for four seconds, a **watchdog** terminates
+# it. The examples are functions in [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` prints
+# one function's code, runs it with a new node, and reports how the program ended.
 
 # %%
 import inspect
@@ -273,11 +273,10 @@ reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
 # The word "once" refers to *one callback*. With a timeout, `spin_once` waits until something is ready or the timeout
-# expires. Without one, it waits until something is ready. In this node, nothing can ever become ready, so the call
-# never returns. If the node had a timer, you wouldn't notice this mistake, because each tick would make the call
-# return.
+# expires. Without one, it waits until something is ready, which never happens in this node. If the node had a timer,
+# you wouldn't notice this mistake, because each tick would make the call return.
 #
-# In a notebook, in a test, and in any program with other work to do, **always pass `timeout_sec`**.
+# In a notebook, a test, or any program with other work to do, **always pass `timeout_sec`**.
 
 # %% [markdown] prediction="timeout-zero"
 # ### Experiment 2: a timeout of 0
@@ -286,10 +285,10 @@ reveal("no-timeout", came_back="after" in seen.log)
 # loops, with timeouts of 0, 0.01, and 0.1 s, each spin a node until its 10 Hz timer has ticked twenty times. What do
 # you expect from the first loop?
 #
-# - **a** It takes as long as the others, and it keeps a processor busy all the time.
+# - **a** It takes as long as the others, but it keeps a CPU core busy the whole time.
 #   when `soonest_s > 1.9 and times_as_many_calls > 5`
-#   ✓ Each loop needs twenty ticks, and the timer sets their pace. Between two ticks, the first loop never sleeps.
-# - **b** It takes as long as the others, and it uses hardly more processor time, because polling costs nothing.
+#   ✓ Each loop needs twenty ticks, and the timer sets their pace. Between ticks, the first loop never sleeps.
+# - **b** It takes as long as the others and uses hardly any more CPU time, because polling costs nothing.
 #   when `soonest_s > 1.9 and times_as_many_calls <= 5`
 #   ✗ Each call asks the middleware which callbacks are ready. One call is cheap, but thousands per second aren't.
 # - **c** It reaches twenty ticks before the others, because it polls more often.
@@ -345,9 +344,9 @@ show(
 )
 
 # %% [markdown]
-# A loop that only polls is called a **busy loop**. It keeps a processor busy, and on a robot, it drains the battery. A
+# A loop that only polls is called a **busy loop**. It keeps a CPU core busy, and on a robot, that drains the battery. A
 # longer timeout doesn't delay anything, because the wait ends as soon as a callback becomes ready. So a timeout isn't a
-# period: it's the longest time that the call may wait when nothing happens.
+# period. It's the maximum time that the call waits if nothing happens.
 
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: the code after `spin`
@@ -375,8 +374,9 @@ show(
 #   ✗ `spin` runs the callbacks in this thread. The next line has to wait until `spin` returns.
 # - **b** No: `spin` raises an exception, because the context is shut down.
 #   when `parked_at < 0 and ended_by_itself`
-#   ✗ `spin` raises one if the shutdown happens during a wait. Here, it happens in a callback, between two waits.
-# - **c** Yes, when the round is over: `spin` returns.
+#   ✗ `spin` raises one if the shutdown happens during a wait. Here, the shutdown happens in a callback, between two
+#   waits.
+# - **c** Yes: when the patrol is over, `spin` returns.
 #   when `0 <= finished_at < parked_at`
 #   ✓ After each callback, `spin` checks whether the context is still valid. Now it isn't, so `spin` returns.
 # - **d** No: `spin` never returns, so the program hangs.
@@ -404,8 +404,8 @@ reveal(
 # ```
 #
 # Ctrl-C is different, because it makes `spin` raise `KeyboardInterrupt` ([lesson 01](01_the_context.ipynb)). The line
-# after `spin` is skipped, so code that must run at the end belongs in `finally`. The next cell runs the program first
-# without `finally`, and then with it:
+# after `spin` is skipped, so code that must run at the end belongs in `finally`. The next cell runs the program without
+# `finally`, and then with it:
 
 # %% id="after-spin"
 _ = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
@@ -415,8 +415,8 @@ _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Spinning inside a callback.** A planner needs a map and waits for it in a callback. The map arrives 0.3 s later, in
-# another callback of the same node.
+# **Spinning inside a callback.** A planner needs a map and waits for it in a callback. Another callback of the same
+# node should deliver the map after 0.3 s.
 
 # %% id="spin-in-callback"
 _ = try_out(ways_to_spin.wait_in_callback)
@@ -434,7 +434,7 @@ _ = try_out(ways_to_spin.go_on_later)
 # %% [markdown]
 # Outside callbacks, `spin_until_future_complete` is useful: see the last lines of `go_on_later`.
 #
-# **Your turn.** Write the function that a future calls when the map arrives. It gets the future as its argument and
+# **Your turn.** Write a function for the future to call when the map arrives. The function receives the future and
 # appends the map to `plans`.
 
 # %% id="your-done-callback"
@@ -451,14 +451,14 @@ hint = "lambda future: plans.append(future.result())"
 yours(... if on_map is ... else plans, ["a map"], hint)
 
 # %% [markdown]
-# **A rate without a spin.** People who come from ROS 1 often write this loop:
+# **A rate without a spin.** Programmers coming from ROS 1 often write this loop:
 
 # %% id="rate-on-main-thread"
 _ = try_out(ways_to_spin.rate_without_spin)
 
 # %% [markdown]
-# The loop takes one step and then hangs. `rate.sleep()` waits for one of the node's timers. But timers fire only while
-# a thread spins the node, and the only thread is asleep. Use a timer with a callback, as in lesson 05.
+# The loop prints `step` once and then hangs. `rate.sleep()` waits for one of the node's timers. But timers fire only
+# while a thread spins the node, and the only thread is asleep. Instead, use a timer with a callback, as in lesson 05.
 #
 # **Two threads that call `rclpy.spin`.** The robot has two arms, each with its own node. Does each node need its own
 # thread?
@@ -468,8 +468,8 @@ _ = try_out(ways_to_spin.two_spins)
 
 # %% [markdown]
 # `generator already executing` means that two threads are using the same executor. If you don't pass an executor,
-# `rclpy.spin` uses the **global executor**, which threads can't share. The second thread ends with this error, so
-# nothing spins its node.
+# `rclpy.spin` uses the **global executor**, which threads can't share. The second thread ends with this error, so its
+# node isn't spun anymore.
 #
 # One executor can spin many nodes, so one thread is enough:
 
@@ -488,7 +488,7 @@ print("first:", left_behind.log.splitlines()[0])
 print("then:", "a crash" if left_behind.signal else f"exit code {left_behind.exit}")
 
 # %% [markdown]
-# The program finishes its work, and then it *aborts*: at exit, Python stops the thread in the middle of C++ code. You
+# The program finishes its work, but then it *aborts*: at exit, Python stops the thread in the middle of C++ code. You
 # see `terminate called without an active exception` or a different error. A supervisor such as systemd logs a crash
 # each time the program stops.
 #
@@ -500,8 +500,8 @@ _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
 # **A timer that is always ready.** A timer is due every 10 ms, but its callback takes 20 ms. Five messages are waiting.
-# We spin the node for two seconds, twice. In the first run, each call may wait for all the time that remains; in the
-# second, for at most 50 ms.
+# We spin the node twice, for two seconds each time. In the first run, each call's timeout is all of the remaining time;
+# in the second, it's always 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -511,17 +511,18 @@ _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 
 # %% [markdown]
 # When several callbacks are ready, the executor normally runs all of them, one per call, before it looks for newly
-# ready ones. But if the timeout *differs* from the previous call's, the executor starts over with the first timer. With
-# `left` as the timeout, this happens in every call, so the messages are never handled. Use the same timeout in each
-# iteration. (A timer whose callback takes longer than its period is a bug in its own right: see lesson 10.)
+# ready ones. But if a call's timeout *differs* from the previous call's timeout, the executor starts over with the
+# first timer. With `left` as the timeout, it starts over in every call, so the messages are never handled. Use the same
+# timeout in each iteration. (A callback that takes longer than its timer's period is a bug, too: see lesson 10.)
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** We want to wait until the robot receives a word, but for at most two seconds. A safe loop for this
-# has three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. Each wait lasts at
-# most 0.1 s, and `min(left, 0.1)` shortens only the last one, so that the loop ends on time. Compute `left` once per
-# iteration, and return when it reaches zero, because `spin_once` with a *negative* timeout waits forever.
+# **Worked example.** We want to wait until the robot receives a word, but for at most two seconds. A safe loop has
+# three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. Each wait lasts at most
+# 0.1 s, and `min(left, 0.1)` shortens only the last one, so that the loop ends on time. Compute `left` only once per
+# iteration, and return if it's zero or less. Otherwise, `spin_once` might get a *negative* timeout, and then it would
+# wait forever.
 
 
 # %%
@@ -564,7 +565,7 @@ yours(
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/06_spinning.ipynb), you write a function that spins a node for a given
 # number of seconds and then returns. The judge runs it with several robots. One has timers and slow callbacks, and it
-# receives a burst of words. Another is quiet.
+# receives a burst of words. Another has no timers.
 
 # %% [markdown]
 # ## Check yourself
@@ -645,7 +646,8 @@ yours(
 # %% [markdown]
 # ## Talk it through
 #
-# Write down your own answer first. Then give this prompt to an AI assistant, or discuss it with a colleague.
+# Read this prompt and write down your own answer. Then give the prompt to an AI assistant, or discuss it with a
+# colleague.
 #
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick
@@ -658,13 +660,13 @@ yours(
 #
 # The loop never spins the node, so the emergency stop would wait in its queue forever. There are three solutions:
 #
-# 1. Turn the loop into a timer with a period of 20 ms, and call `rclpy.spin`. This is the usual solution, but then
-#    reading the joystick must never block.
+# 1. Turn the loop into a timer with a period of 20 ms, and call `rclpy.spin`. This is the usual solution, but it works
+#    only if reading the joystick never blocks.
 # 2. Keep the loop, but instead of sleeping, spin until the 20 ms have passed. Call `spin_once` repeatedly with a short
 #    timeout, because one call runs only one callback. Then the emergency stop waits for at most one other callback.
-#    With `timeout_sec=0` instead of the sleep, the loop would keep a processor busy.
-# 3. Spin in a separate thread with its own executor, and end the thread with `shutdown` and `join`. This solution is
-#    right if the library that reads the joystick blocks. But then two threads access the same data.
+#    With `timeout_sec=0` instead of the sleep, the loop would keep a CPU core busy.
+# 3. Spin in a separate thread with its own executor, and end the thread with `shutdown` and `join`. This is the right
+#    solution if the library that reads the joystick blocks. But now two threads access the same data.
 #
 # A good answer also asks how fast the robot must stop, and whether a stop should depend on one Python loop at all.
 #
@@ -672,7 +674,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two mistakes. We checked both against this course's rclpy.
 #
 # - **`rclpy.spin_some(node)`:** This function belongs to rclcpp, the C++ library. rclpy has `spin_once`.
 # - **`spin_once(node, timeout_sec=0)` handles everything that's waiting:** In fact, it runs one callback. Five waiting
@@ -686,8 +688,8 @@ yours(
 # - Callbacks run only while a thread spins the node, and they run in that thread.
 # - `spin_once` runs at most one callback and returns `None`. `spin` does this over and over until the context is shut
 #   down.
-# - Pass the same short timeout to every `spin_once`. With no timeout or a negative one, the call can block forever; a
-#   timeout of 0 keeps a processor busy.
+# - Pass the same short timeout to every `spin_once`. With no timeout or a negative one, the call can block forever; in
+#   a loop, a timeout of 0 keeps a CPU core busy.
 # - Don't spin or sleep inside a callback. Return, and let another callback continue the work.
 # - One executor can spin many nodes. If you spin in a thread, shut down the executor and then join the thread.
 #
@@ -696,4 +698,4 @@ yours(
 # **Next:** [07 · Typed nodes](07_typed_nodes.ipynb), where a type checker reads your node before it runs.
 #
 # **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), and the
-# [rclpy](https://docs.ros.org/en/jazzy/p/rclpy) reference for the functions that you called here.
+# [rclpy](https://docs.ros.org/en/jazzy/p/rclpy) reference for the functions that you called.

@@ -2,7 +2,7 @@
 # # 07 · Typed nodes
 #
 # A typo in a robot's program can stay hidden until the worst moment. A type checker finds it before the program runs.
-# How many of the mistakes in your ROS code does it find?
+# But how many of the mistakes in your ROS code does it find?
 #
 # - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 06, and some familiarity with type hints such as `level: float`
@@ -39,7 +39,7 @@ rclpy.init()
 rclpy.spin(TiredRobot())
 
 # %% [markdown]
-# The next cell records the robot for five seconds. In the animation, the robot moves at each heartbeat.
+# The next cell records the robot for five seconds. In the animation, the robot moves with each heartbeat.
 
 # %%
 from workbook.lesson import arrivals, record
@@ -63,7 +63,7 @@ robots(
 
 # %% [markdown]
 # The typo is in a line that runs only when the battery is low, so a test on a charged robot never finds it. A program
-# called **mypy** does, because it reads the whole file without running it:
+# called **mypy** does find it, because mypy reads the whole file without running it.
 #
 # [the same without helpers: record]
 
@@ -77,7 +77,7 @@ check_types(Path("tired_robot.py"))
 # %% [markdown]
 # mypy reports the line, and it even suggests the method that you meant. It knows the return type of `create_publisher`
 # from a **type hint** in rclpy, and it follows such hints through your program. A program that does this is called a
-# **type checker**. In a terminal, run `mypy tired_robot.py`.
+# **type checker**. To check the file in a terminal, run `mypy tired_robot.py`.
 
 # %% [markdown]
 # ## Predict
@@ -111,8 +111,8 @@ class Vitals(Node):
 '''
 
 # %% [markdown] prediction="seven-mistakes"
-# All functions have hints, and we run `mypy --strict` with rclpy and the message packages that ROS installs. How many
-# of the seven numbered mistakes does mypy find?
+# All functions have hints, and we run `mypy --strict` with rclpy and the message packages just as ROS installs them.
+# How many of the seven numbered mistakes does mypy find?
 #
 # - **a** Three: the ones that misuse rclpy itself.
 #   when `mistakes_found == 3`
@@ -137,15 +137,15 @@ predict("seven-mistakes")
 # %% [markdown]
 # ## Run it
 #
-# With `stubs=False`, `check_types` runs plain `mypy --strict` on the packages that ROS installs.
+# With `stubs=False`, `check_types` runs plain `mypy --strict` with the packages just as ROS installs them.
 
 # %%
 as_installed = check_types(VITALS, stubs=False)
 as_installed
 
 # %% [markdown]
-# The next cell runs code with the same seven mistakes, one after another. It runs without the field checks that these
-# notebooks normally use. You don't need to study its code.
+# The next program makes the same seven mistakes, one after another. It runs without the *field checks* that normally
+# check each message's values in these notebooks. You don't need to study its code.
 
 # %%
 # %%writefile seven_times.py
@@ -229,17 +229,17 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 # ## Look inside
 #
 # mypy finds three of the seven mistakes. At run time, mistakes 5, 6, and 7 raise an error only *when the program
-# reaches the line*. That may be at the first tick, or months later, when the battery runs low. In this build, mistakes
-# 3 and 4 don't raise an error. In mistake 3, a callback for a `String` receives a `Float32`. In mistake 4, the string
-# arrives as `0.0`.
+# reaches the line*. That may be at the first tick, or months later, when the battery runs low. In this course's ROS
+# build, mistakes 3 and 4 don't raise an error. With mistake 3, a callback for a `String` receives a `Float32`. With
+# mistake 4, the string arrives as `0.0`.
 #
-# **On a robot, mistake 4 may crash the program.** With *this course's packages*, 0.0 arrives. But the message code in
-# the Ubuntu packages may be compiled with assertions. In that case, the wrong value aborts the whole process, and
-# `except` can't catch the abort ([rclpy #1437](https://github.com/ros2/rclpy/issues/1437)).
+# **On a robot, mistake 4 may crash the program.** The message code in the Ubuntu packages may be compiled with
+# assertions. In that case, the wrong value aborts the whole process, and `except` can't catch the abort ([rclpy
+# #1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Why does mypy find so few mistakes in the messages? Its report gives the reason: `Skipping analyzing "std_msgs.msg"`,
 # with the code `import-untyped`. So what type does a message have in mypy's view? To find out, use `reveal_type(x)`,
-# which makes mypy print the type of `x`. This call is meant for mypy, not for Python.
+# which makes mypy print the type of `x`. The call is only for mypy.
 
 # %%
 QUESTIONS = '''\
@@ -255,20 +255,20 @@ reveal_type(Float32().dta)
 check_types(QUESTIONS, stubs=False, notes=True)
 
 # %% [markdown]
-# The publisher's type is `Publisher`. The message's type is **Any**, which means that mypy knows nothing about it and
-# accepts everything that you do with it.
+# The publisher's type is `Publisher`. The message's type is **Any**, which means that mypy knows nothing about the
+# message and accepts anything you do with it.
 #
 # Type checkers use the hints inside a package only if the package contains a file named `py.typed`. rclpy contains one.
-# But the message packages are generated without hints and without this file. Don't silence `import-untyped`: it's the
-# only sign that mypy isn't checking your messages.
+# But the generated message packages have neither hints nor this file. Don't silence `import-untyped`: it's the only
+# sign that mypy isn't checking your messages.
 #
 # ### The second net: stubs
 #
 # Think of each check as a **net**: a mistake that slips through one net may be caught by the next. Plain mypy was the
 # first net.
 #
-# A **stub** is a file with the extension `.pyi` that contains hints for a module that has none itself. This course has
-# stubs for the message packages, generated from the message classes. Here's the stub for `Float32`:
+# A **stub** is a `.pyi` file with the hints for a module that doesn't have its own. This course has stubs for the
+# message packages, generated from the message classes. Here's the stub for `Float32`:
 
 # %%
 from std_msgs.msg import Float32
@@ -283,16 +283,17 @@ print("new among them:  ", sorted(found(with_stubs) - found(as_installed)))
 with_stubs
 
 # %% [markdown]
-# Now mypy knows the fields, so `import-untyped` is gone. mypy finds the string in the float field, and for `dta`, it
-# suggests the correct field.
+# Now mypy knows the fields, so the `import-untyped` error is gone. mypy finds the string in the float field, and for
+# `dta`, it suggests the correct field.
 #
-# For your own project, copy the folder `workbook/typings`, and run `mypy --config-file typings/mypy.ini my_node.py`.
+# To use the stubs in your own project, copy `workbook/typings` into it, and run `mypy --config-file typings/mypy.ini
+# my_node.py`.
 #
 # ### The third net: a publisher with a message type
 #
-# mypy still misses mistake 6: `publish(String())` on a publisher for `Float32`. In this rclpy version, all publishers
-# have the same type, `Publisher`. So we describe the object that we need: *an object with a method `publish` that takes
-# a `Float32`*. Such a description is called a `Protocol`, and every object with that method matches it:
+# mypy still misses mistake 6: `publish(String())` on a `Float32` publisher. In this rclpy version, all publishers have
+# the same type, `Publisher`. So we describe the object that we need: *one with a `publish` method that takes a
+# `Float32`*. Such a description is called a `Protocol`, and every object with that method matches it:
 
 # %%
 SENDS_FLOATS = '''\
@@ -315,8 +316,8 @@ for finding in with_typed_publisher.findings:
         print(finding.message)
 
 # %% [markdown]
-# One annotation on the attribute is enough. To cover *all* message types with one description, you need type variables:
-# see the optional notebook linked at the end.
+# One annotation on the attribute is enough. To cover *all* message types with one description, see the optional
+# notebook linked at the end.
 #
 # The next cell compares five nets: mypy at each of the three steps above, and the program itself, without and with
 # field checks.
@@ -365,8 +366,8 @@ nets_picture(
 )
 
 # %% [markdown]
-# No net catches everything, and the two on the right catch a mistake only when its line runs. None of the five catches
-# mistake 3, but later in this lesson, you'll write a check that does.
+# The two nets on the right catch a mistake only when its line runs. None of the five catches mistake 3, but later,
+# you'll write a check that does.
 
 # %% [markdown]
 # ## Change it
@@ -374,8 +375,9 @@ nets_picture(
 # ### Experiment 1: three shapes of one node
 #
 # A node's code can have one of three shapes. A **script** has all of its code at the top level of the file. A
-# **closure** is a function whose inner functions use its variables. A **class** stores its state in `self`. Here are
-# three modules that publish a battery's level, one for each shape. Run them for a minute of robot time.
+# **closure** puts all of its code into one function, whose inner functions use its variables. A **class** stores its
+# state in `self`. Here are three modules that publish a battery's level, one for each shape. Let's run each for a
+# minute of simulated time.
 
 # %%
 from lesson_nodes import battery_class, battery_closure, battery_script
@@ -446,9 +448,9 @@ if line is not ...:
 yours(... if line is ... else len(report), 1, '"def main() -> None:"')
 
 # %% [markdown]
-# By default, mypy doesn't check functions without hints. The option `--check-untyped-defs` makes mypy check them, and
-# so does `--strict`, which includes that option. Adding one hint, such as `-> None`, is enough to have a function
-# checked. Code at the top level of a file isn't in a function, so mypy always checks it.
+# By default, mypy doesn't check functions without hints. With the option `--check-untyped-defs` or `--strict`, mypy
+# checks them, too. One hint, such as `-> None`, is enough for mypy to check the function. Code at the top level of a
+# file isn't in a function, so mypy always checks it.
 #
 # Which shape is best? A script is fine for ten lines. A closure is hard to test, because its state is hidden. In a
 # class, everything has a name and a type. And for a second robot, you just create a second object. So most nodes are
@@ -543,13 +545,13 @@ print("and field checks:", errors[-1])
 #
 # What does mypy report?
 #
-# - **a** Nothing, because both words are valid.
+# - **a** Nothing, because both calls pass a valid word.
 #   when `first_call == 0 and second_call == 0`
-#   ✗ Both are valid when the program runs. But mypy compares types, and it infers the type `str` for the variable
+#   ✗ Both calls are valid when the program runs. But mypy compares types, and it infers the type `str` for the variable
 #   `word`.
 # - **b** An error in both calls, because a `str` isn't a `Literal`.
 #   when `first_call > 0 and second_call > 0`
-#   ✗ If a call contains the string itself, mypy checks its exact value. So the first call passes.
+#   ✗ If a call contains the string itself, mypy checks the string's exact value. So the first call passes.
 # - **c** An error in the second call only.
 #   when `first_call == 0 and second_call > 0`
 #   ✓ mypy infers the type `str` for the variable `word`, and a `str` can be any string.
@@ -604,8 +606,8 @@ print(run_program(wrong, seconds=20).log)
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Hints from newer ROS versions.** In newer ROS versions, publishers are generic, so you often see
-# `Publisher[String]`. Here's what happens in this version:
+# **Hints from newer ROS versions.** There, publishers are generic, so you often see `Publisher[String]`. Here's what
+# happens in this version:
 
 # %% id="publisher-subscript" tags=["raises-exception"]
 from rclpy.publisher import Publisher
@@ -644,7 +646,7 @@ fresh(Reporter)
 # [the same without helpers: init, fresh]
 #
 # **A value from outside.** In the next program, `send` is annotated, and mypy accepts the call. But the value is parsed
-# from JSON, as if it came from a file, so mypy doesn't know its type.
+# from JSON, just as a value from a file might be, so mypy doesn't know its type.
 
 # %% id="hints-are-no-guards"
 OUTSIDE = LEVEL.replace("import time\n", "import json\nimport time\n")
@@ -653,7 +655,8 @@ print(check_types(careless))
 print(run_program(careless, seconds=20).log)
 
 # %% [markdown]
-# A dashboard would show 0%, and there's no error. So check values from outside at run time, and raise a helpful error:
+# A dashboard would show 0%, with no error to explain it. So at run time, check each value that comes from outside, and
+# raise a helpful error:
 
 # %%
 GUARD = '''\
@@ -666,17 +669,17 @@ print(check_types(guarded))
 print(run_program(guarded, seconds=20).log.strip().splitlines()[-1])
 
 # %% [markdown]
-# `float(level)` alone isn't enough: it accepts the string `"87.5"`, but fails on the string `"87 %"`.
+# `float(level)` alone can't replace this check: it accepts the string `"87.5"` and fails on the string `"87 %"`.
 #
-# `# type: ignore` at the end of a line hides everything that mypy would report there. With the hint `Any`, mypy accepts
-# everything that you do with a value. If you really need one of the two, explain why in a comment. But neither fixes a
-# mistake.
+# `# type: ignore` at the end of a line hides everything that mypy would report there. If a value has the hint `Any`,
+# mypy accepts anything you do with it. Neither one fixes a mistake; it only hides it. If you really need one, explain
+# why in a comment.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
 # **Worked example.** The next node belongs to a charging station. It has a typed publisher, accepts only three words,
-# and checks each one before putting it into a message.
+# and checks each before putting it into a message.
 
 # %%
 from typing import Literal, Protocol, get_args
@@ -722,9 +725,10 @@ for misuse in (
 # The second error comes from rclpy: `publish` checks the message's class, but not its fields.
 #
 # **Fill in the blanks.** So far, no net has caught mistake 3, a subscription whose callback expects another message
-# type. `listen` ties the message type to the callback: the type variable `Message` stands for the same type in both
-# hints. Write the two hints as strings. When both are right, mypy reports only line 25. `Callable[[X], None]` is the
-# type of a function that takes an `X` and returns nothing.
+# type. The function `listen` below ties the message type to the callback. In the hints for `kind` and `callback`, the
+# type variable `Message` stands for the same type. Write these two hints as strings. When both are right, mypy reports
+# an error only in line 25, the call with the wrong callback. `Callable[[X], None]` is the type of a function that takes
+# an `X` and returns nothing.
 
 # %% id="your-listen"
 kind = ...  # TODO: the hint for a message class, such as "type[String]"
@@ -774,7 +778,7 @@ yours(
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Why does mypy accept `Float32().dta` with the packages that ROS installs?**
+# **1. Why does mypy accept `Float32().dta` with the packages just as ROS installs them?**
 #
 # <details><summary>a) The package has no hints that mypy can use, so the message is Any</summary>
 #
@@ -788,7 +792,7 @@ yours(
 # </details>
 # <details><summary>c) mypy checks only code that has run at least once</summary>
 #
-# ✗ mypy never runs your code. It only reads the code.
+# ✗ mypy never runs your code; it only reads it.
 #
 # </details>
 #
@@ -796,17 +800,18 @@ yours(
 #
 # <details><summary>a) That a string isn't a valid period</summary>
 #
-# ✗ It would report this with `-> None`, or with `--check-untyped-defs` or `--strict`, which check all functions.
+# ✗ mypy would report this if the function had the hint `-> None`, or if you used `--check-untyped-defs` or `--strict`,
+# which check all functions.
 #
 # </details>
 # <details><summary>b) That <code>send</code> is unknown</summary>
 #
-# ✗ It doesn't check the line at all.
+# ✗ mypy doesn't check the line at all.
 #
 # </details>
-# <details><summary>c) Nothing, because it doesn't check functions without hints</summary>
+# <details><summary>c) Nothing, because mypy doesn't check functions without hints</summary>
 #
-# ✓ You saw this with the closure and the class. Adding `-> None` is enough to have the function checked.
+# ✓ You saw this with the closure and the class. Adding `-> None` is enough to get the function checked.
 #
 # </details>
 #
@@ -831,7 +836,7 @@ yours(
 #
 # **4. You pass an object to a function that expects `SendsFloats`. When does mypy accept the object?**
 #
-# <details><summary>a) If it has a method publish that takes a Float32</summary>
+# <details><summary>a) If it has a publish method that takes a Float32</summary>
 #
 # ✓ A Protocol only lists the methods that an object needs. Every object that has these methods matches it, even a small
 # fake that you write for a test.
@@ -871,34 +876,35 @@ yours(
 # %% [markdown]
 # ## Talk it through
 #
-# Write down your own answer first. Then give this prompt to an AI assistant, or discuss it with a colleague.
+# Read this prompt and write down your own answer. Then give the prompt to an AI assistant, or discuss it with a
+# colleague.
 #
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). We have thirty nodes,
 # written over three years, without a single type hint. We've been asked to run
-# mypy --strict in our automatic checks from Monday on. What would you do first, what
-# would you leave for later, and what will mypy never find for us? Make sure that every
-# rclpy function you use exists in Jazzy.
+# mypy --strict in our automated checks, starting on Monday. What would you do first,
+# what would you leave for later, and what will mypy never find for us? Make sure that
+# every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer covers</summary>
 #
-# Don't enable every check on Monday. For thirty nodes, `--strict` reports hundreds of errors, and people then silence
-# them with `# type: ignore`.
+# Don't enable every check on Monday. For thirty nodes, `--strict` would report hundreds of errors, and people would
+# then silence them with `# type: ignore`.
 #
-# Add stubs for the messages first, because without them, most ROS types are `Any`. Next, run plain mypy on all nodes,
-# so that nothing gets worse. Then add `-> None` and argument hints, node by node, and turn on the strict settings for a
-# node once it's clean.
+# Add stubs for the messages first, because without them, most ROS types are `Any`. Next, add plain mypy to the
+# automated checks for all nodes, so that no new mistakes get in. Then add `-> None` and argument hints, node by node,
+# and turn on the strict settings for a node once it's clean.
 #
 # mypy doesn't find bad values from outside, an int in a float field, topic names that don't match, or wrong periods. It
-# doesn't check timing at all. To find these faults, you need checks at run time, field checks in tests, and tests that
-# check the received messages.
+# doesn't check timing at all. To find these faults, you need run-time checks, tests with field checks turned on, and
+# tests that inspect the received messages.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two mistakes. We checked both against this course's rclpy.
 #
 # - **`self.level: Publisher[Float32] = …`:** In Jazzy, `Publisher` doesn't accept a type in brackets, and mypy reports
 #   this hint as an error. Inside a method, Python ignores the hint; in a signature, Python 3.13 and older raise a
@@ -912,11 +918,11 @@ yours(
 # ## Take away
 #
 # - mypy reads a program and follows its hints, so it finds mistakes even in lines that have never run.
-# - By default, it doesn't check functions without hints. `-> None` is enough to have a function checked; `--strict`
+# - By default, it doesn't check functions without hints. `-> None` is enough to get a function checked; `--strict`
 #   demands hints everywhere.
 # - `import-untyped` means that messages are `Any` to mypy. Stubs describe the messages' fields.
-# - A Protocol with a method `publish` gives a publisher a message type, so mypy reports a wrong message as an error.
-# - Hints do nothing at run time. Check values from outside, and convert ints with `float(...)`.
+# - A Protocol with a `publish` method gives a publisher a message type, so mypy reports a wrong message.
+# - Hints do nothing at run time. Check values that come from outside, and convert ints with `float(...)`.
 #
 # **Before:** [06 · Spinning](06_spinning.ipynb)
 #

@@ -13,8 +13,8 @@
 # %% [markdown] prediction="one-letter-less"
 # ## Predict
 #
-# `Sends[Float32]` should mean "publishes Float32". To accept a type in brackets, `Sends` needs a type variable, here
-# called `Taken`:
+# Suppose we want a Protocol called `Sends`, so that `Sends[Float32]` describes a publisher of `Float32` messages. To
+# accept a type in brackets, `Sends` needs a type variable, here called `Taken`:
 #
 # ```python
 # Taken = TypeVar("Taken")
@@ -25,10 +25,10 @@
 #
 # `Taken` appears only as the type of an argument. What does `mypy --strict` report for these lines?
 #
-# - **a** Nothing, because the class is complete.
+# - **a** Nothing, because nothing is missing from the class.
 #   when `complaints == 0`
-#   ✗ A complete class isn't enough. mypy also checks the direction in which the type is used, and here, the type only
-#   goes in, as an argument.
+#   ✗ Nothing is missing, but that isn't enough. mypy also checks the direction in which the type is used, and here, the
+#   type only goes in, as an argument.
 # - **b** It asks for a contravariant type variable.
 #   when `complaints > 0 and 'contravariant' in said`
 #   ✓ A type that only goes in, as an argument, has to be contravariant.
@@ -61,9 +61,9 @@ reveal("one-letter-less", complaints=len(report), said=str(report))
 # %% [markdown]
 # ## Look inside
 #
-# **Your turn.** mypy's message names the kind of type variable that it expects. Pass that word to `TypeVar` as a
-# keyword argument, just as you'd write `covariant=True` for the opposite kind. Write the line so that mypy reports
-# nothing.
+# **Your turn.** mypy's message names the kind of type variable that it expects. Use the name of that kind as a keyword
+# argument to `TypeVar`, just as you'd write `covariant=True` for the opposite kind. Write the complete line so that
+# mypy reports no errors.
 
 # %% id="your-variable"
 from workbook.lesson import yours
@@ -75,11 +75,11 @@ if line is not ...:
 yours(... if line is ... else len(report), 0, "contravariant=True")
 
 # %% [markdown]
-# `contravariant=True` declares that the type appears only as an argument. So you can use a publisher that accepts every
-# message where a publisher for `Float32` is expected, but not the other way around.
+# `contravariant=True` declares that the type appears only as an argument. So wherever a publisher of `Float32` is
+# expected, you can use one that accepts every message, but not the other way around.
 #
-# In the next cell, `make_publisher` ties its return type to its argument `kind`, because `Message` stands for the same
-# type in both hints. With `kind=Float32`, the function returns a `Sends[Float32]`.
+# In the next cell, the return type of `make_publisher` depends on the argument `kind`, because `Message` stands for the
+# same type in both type hints. With `kind=Float32`, the function returns a `Sends[Float32]`.
 
 # %%
 TYPED = '''\
@@ -111,8 +111,8 @@ battery.publish(String(data="full"))
 check_types(TYPED)
 
 # %% [markdown]
-# mypy reports only the last line, which is the one with the mistake. For comparison, here's the same program with
-# rclpy's own publisher:
+# mypy reports only the last line, which contains the mistake. For comparison, here's the same program with rclpy's own
+# publisher:
 
 # %%
 from workbook.lesson.type_reports import nets_picture
@@ -142,9 +142,9 @@ nets_picture(
 # %% [markdown]
 # ## Take away
 #
-# - A single generic Protocol can describe many types. Its type variable is contravariant if the type appears only as an
-#   argument.
-# - A function that takes `kind: type[Message]` and returns `Sends[Message]` derives the publisher's type from the
+# - A single generic Protocol can describe many types. If the type appears only as an argument, the Protocol's type
+#   variable is contravariant.
+# - If a function takes `kind: type[Message]` and returns `Sends[Message]`, mypy infers the publisher's type from the
 #   message class.
 #
 # **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)

@@ -8,8 +8,8 @@
 # - **You need:** lesson [05](05_timers.ipynb), and the basics of nodes, publishers, and messages
 # - **You will be able to:**
 #   - build a node that publishes to two topics at two rates
-#   - send numbers that arrive unchanged
-#   - count a publisher's subscriptions
+#   - send numbers so that they arrive unchanged
+#   - count the subscriptions that are connected to a publisher
 #   - say what happens after a callback raises an exception
 #   - end a node on Ctrl-C with exit code 0
 # - **Not covered:** real battery sensors (`sensor_msgs/BatteryState`), multithreading, services
@@ -74,8 +74,8 @@ predict("the-dashboard-opens")
 # %% [markdown]
 # ## Run it
 #
-# We don't want to wait for a whole minute. So the recorder drives the robot's clock (simulated time, lesson 05), and
-# one minute of robot time takes only a few real seconds.
+# We'd like to record a minute of messages without waiting a whole minute for them. So `record` controls the robot's
+# clock (simulated time, lesson 05), and one minute of *robot time* takes only a few real seconds.
 #
 # [the same without helpers: record]
 
@@ -111,7 +111,7 @@ reveal("the-dashboard-opens", longest_wait_s=longest)
 # %% [markdown]
 # ## Look inside
 #
-# One thread runs the callbacks of both timers. A timer callback is short: it fills a message, publishes it, and
+# One thread runs the callbacks of both timers. Each timer callback is short: it fills a message, publishes it, and
 # returns. So one thread can handle many timers, as long as **each callback is fast**.
 #
 # Let's build the node step by step. Every topic needs three things: a **publisher**, a **timer**, and a **callback**
@@ -154,7 +154,7 @@ await run(humanoid, until=lambda: humanoid.sent == 3, seconds=10)
 # %% [markdown]
 # ### Step 2: a battery that drains
 #
-# We don't have a battery, so we simulate one with a number that gets a little smaller at each tick. The number must
+# We don't have a battery, so we simulate one with a number that gets a little smaller with each tick. The number must
 # never go below zero, because a subscriber might accept −0.1% as a real level.
 #
 # **Your turn.** Write the function that computes the next level. It lowers the level by 0.3, but never below 0.0.
@@ -178,7 +178,8 @@ yours(
 # %% [markdown]
 # ### Step 3: the second topic
 #
-# An attribute of `self` keeps the battery level between ticks. The status now depends on that level.
+# An instance attribute, `self.battery_level`, stores the battery level between ticks. The status now depends on that
+# level.
 
 # %%
 import random
@@ -282,7 +283,7 @@ reveal("the-empty-battery", delay_s=error_at - empty_at)
 
 # %% [markdown]
 # In this run, both timers were due at the same moment, and the status callback ran first. So the next status message
-# was a whole period away. Which values does the node publish on `/robot/battery` from then on?
+# was a whole period away. And which values does the node publish on `/robot/battery` once the battery is empty?
 
 # %%
 from workbook.pictures import figure
@@ -315,8 +316,8 @@ show(
 #
 # ### Experiment 2: who is listening?
 #
-# A publisher can count its subscriptions. The next program, a monitor, kills itself when it receives its first message.
-# It uses SIGKILL (`kill -9`), which ends a program immediately.
+# A publisher can count the subscriptions that it's connected to. The next program, a monitor, kills itself when it
+# receives its first message. It uses SIGKILL (`kill -9`), which ends a program immediately.
 
 # %%
 # %%writefile fragile_monitor.py
@@ -341,22 +342,22 @@ rclpy.spin(node)
 # 1. Now we publish one status message, so the monitor kills itself. What does the method return 0.5 s after the
 # message, and what does it return after 10 s?
 #
-# In this course, DDS gives each program a **lease** of 2 s (`workbook/ros/loopback.xml`), which the program keeps
-# renewing while it runs. Fast DDS's default is 20 s.
+# DDS gives each program a **lease**: a time limit that the program keeps renewing while it runs. In this course, a
+# lease lasts 2 s (`workbook/ros/loopback.xml`). Fast DDS's default is 20 s.
 #
 # - **a** 0 both times, because Linux has closed all of the monitor's connections.
 #   when `soon == 0`
 #   ✗ Linux does close the monitor's UDP ports. But UDP has no connections, so other programs don't notice.
-# - **b** It raises an error, because its only subscriber is gone.
+# - **b** The method raises an error, because the publisher's only subscriber is gone.
 #   ✗ A topic without subscribers isn't an error in ROS. Subscribers may come and go.
 # - **c** First 1, then 0.
 #   when `soon == 1 and late == 0`
-#   ✓ A killed program can't announce its end. DDS removes the monitor once it has received nothing from it for the
-#   length of its lease.
+#   ✓ A killed program can't announce its end. DDS removes the monitor after receiving nothing from it for the length of
+#   the lease.
 # - **d** 1 both times, because the monitor never destroyed its subscription.
 #   when `soon == 1 and late == 1`
-#   ✗ It didn't, but a killed program can't renew its lease, either. When the lease expires, DDS removes the monitor's
-#   subscription.
+#   ✗ The monitor didn't destroy it, but a killed program can't renew its lease, either. When the lease expires, DDS
+#   removes the monitor's subscription.
 
 # %%
 predict("who-is-counted")
@@ -412,11 +413,11 @@ spin_for(listener, seconds=10, until=lambda: heard)
 print("heard after one more:", len(heard))
 
 # %% [markdown]
-# The `10` in `create_publisher(..., 10)` is the queue depth. It applies only to connected subscriptions; the publisher
-# keeps no messages for later ones. (QoS can change that: lesson 13.)
+# The `10` in `create_publisher(..., 10)` is the queue depth. It applies only to connected subscriptions: the publisher
+# keeps no messages for subscriptions that connect later. (QoS can change that: lesson 13.)
 #
-# **Your turn.** Suppose that a node publishes just one message on `/robot/started`. Write the condition that it waits
-# for before it publishes.
+# **Your turn.** Suppose that a node publishes just one message on `/robot/started`. Write the condition that the node
+# should wait for before publishing.
 
 # %% id="your-condition"
 started = humanoid.create_publisher(String, "/robot/started", 10)
@@ -470,8 +471,8 @@ network
 # ### An exception in a background thread
 #
 # Many programs spin in a background thread to keep the main thread free. The next node publishes its status ten times a
-# second. A second timer's callback estimates how long the battery will last, and divides by zero in its second call.
-# What happens to the status messages?
+# second. Another timer's callback estimates how long the battery will last, and divides by zero the second time it's
+# called. What happens to the status messages?
 #
 # - **a** The program ends with a traceback and a nonzero exit code.
 #   when `exit_code != 0`
@@ -479,7 +480,7 @@ network
 # - **b** Only the estimate stops. The status continues, because the timers are independent.
 #   when `in_the_last_second > 0`
 #   ✗ A single thread runs both timers' callbacks, and the exception has ended that thread.
-# - **c** Both timers stop, but the program keeps running and looks fine from outside.
+# - **c** Both timers stop, but the program keeps running and looks fine from the outside.
 #   when `exit_code == 0 and in_the_last_second == 0`
 #   ✓ The thread that spins has ended, so no callback runs anymore. But the node is still on the graph.
 
@@ -487,7 +488,7 @@ network
 predict("the-exception")
 
 # %% [markdown]
-# The next cell prints the measurements from the program's main thread, and then the program's exit code.
+# The next cell prints the numbers that the program's main thread measured, followed by the program's exit code.
 
 # %% id="deaf-node"
 from workbook.lesson import run_program
@@ -547,10 +548,11 @@ reveal(
 # %% [markdown]
 # The exception ended the *thread*, but not the program. The node is still on the graph, so `ros2 node list` shows it,
 # and its last message was *operational*. But none of the node's callbacks run anymore: no timer fires, and no message
-# is received. Even the exit code is 0. The only sign of the problem is in the log, where the traceback was printed
+# is received. Even the exit code is 0. The only sign of the problem is the traceback in the log, which was printed
 # once.
 #
-# `await run(...)` spins in the notebook's own thread, so here the exception appears in your cell:
+# `await run(...)` spins the node in the notebook's own thread, so this time the exception shows up in the cell's
+# output:
 
 # %% tags=["raises-exception"]
 class Forecaster(Node):
@@ -569,7 +571,7 @@ class Forecaster(Node):
 await run(fresh(Forecaster), seconds=10)
 
 # %% [markdown]
-# Here's how to avoid this, or at least to notice it:
+# Here's how to avoid a node that has silently stopped, or at least to notice it:
 #
 # - In a program, run `rclpy.spin(node)` in the **main thread**. An exception then ends the program with a traceback,
 #   and a service manager can restart it.
@@ -591,7 +593,8 @@ Float32(data=round(99.4))
 # ### Ending on Ctrl-C
 #
 # In lesson 01, you saw three ways to end a program. A status node must end cleanly, because a service manager reads its
-# exit code. The next cell runs two versions: `COMMON`, which many examples on the web use, and `CLEAN`.
+# exit code. The next cell runs the node with two different endings: `COMMON`, which many examples on the web use, and
+# `CLEAN`.
 
 # %% id="endings"
 BEGIN = """
@@ -627,11 +630,12 @@ for name, ending in {"COMMON": COMMON, "CLEAN": CLEAN}.items():
 
 # %% [markdown]
 # `COMMON` fails because Ctrl-C has already shut the context down, and then `rclpy.shutdown()` tries to do it again.
-# When the context is already shut down, `try_shutdown()` does nothing.
+# `CLEAN` works because `try_shutdown()` does nothing if the context is already shut down.
 #
-# One caveat: on a very busy machine, Ctrl-C can shut the context down [between the check and the
-# call](https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py) inside `try_shutdown()`. Then `CLEAN` ends like
-# `COMMON`. That's a bug in rclpy, and `%check` doesn't count it against you.
+# One caveat: `try_shutdown()` first checks whether the context is still up and then shuts it down. On a very busy
+# machine, Ctrl-C can shut the context down [between those two
+# steps](https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py). Then `CLEAN` ends like `COMMON`. That's a bug
+# in rclpy, and `%check` doesn't count it against you.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -769,7 +773,7 @@ yours(
 #
 # </details>
 #
-# **3. A node is on the graph. Its last status, a minute ago, was "operational". What is the likely cause?**
+# **3. A node is on the graph. Its last status, a minute ago, was "operational". Nothing has arrived since. What is the likely cause?**
 #
 # <details><summary>a) An exception ended the thread that spins the node</summary>
 #
@@ -787,11 +791,11 @@ yours(
 #
 # </details>
 #
-# **4. A node publishes `started` once, with QoS `10`. Its only subscriber is running. How do you make sure that the message arrives?**
+# **4. A node publishes `started` once, with a queue depth of `10`. Its only subscriber is running. How do you make sure that the message arrives?**
 #
 # <details><summary>a) Publish it right after <code>create_publisher</code>, with a depth of 100</summary>
 #
-# ✗ The queue serves only connected subscriptions, and at that moment there may be none.
+# ✗ The queue serves only connected subscriptions, and at that moment, there may not be any.
 #
 # </details>
 # <details><summary>b) Publish it once <code>get_subscription_count()</code> is above 0</summary>
@@ -808,26 +812,27 @@ yours(
 # %% [markdown]
 # ## Talk it through
 #
-# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
+# Read this prompt and write down your own answer. Then copy the prompt into an AI assistant, or discuss it with a
+# colleague.
 #
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). One node of my humanoid
 # publishes its status at 1 Hz and its battery level at 0.5 Hz. A monitor on another
 # computer should stop the robot if something is wrong. What can the monitor conclude from
-# a message, and what from a missing one? How long should it wait before it raises an
-# alarm? Make sure that every rclpy function you use exists in Jazzy.
+# a message, and what can it conclude from a missing one? How long should it wait before
+# it raises an alarm? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer covers</summary>
 #
 # A message contains the node's state at the time of publishing. A missing message can mean a dead process, a node
-# that's no longer being spun, a blocked callback, or a broken network. From outside, a monitor can't tell these causes
-# apart. A single late message shouldn't raise an alarm, because timers and networks jitter. Waiting for two to three
-# periods is a common compromise.
+# that's no longer being spun, a blocked callback, or a broken network. From the outside, a monitor can't tell these
+# causes apart. A single late message shouldn't raise an alarm, because timers and networks jitter. Waiting for two to
+# three periods is a common compromise.
 #
-# A good answer says what the robot does in the meantime: slow down, stop, or sit down. It also says that the robot may
-# have to stop on its own if the *robot* no longer receives messages from the monitor. Even better, it mentions that ROS
-# can detect late messages for you, through the deadline QoS policy.
+# A good answer says what the robot should do while messages are missing: slow down, stop, or sit down. It also says
+# that the robot may have to stop on its own if the *robot* no longer receives messages from the monitor. Even better,
+# it mentions that ROS can detect late messages for you, through the deadline QoS policy.
 #
 # </details>
 #
@@ -850,11 +855,12 @@ yours(
 # - Put only a Python `float` into a float field. Other types lead to a wrong value or a crash, depending on the build.
 # - If a background thread spins a node, an exception stops all of the node's callbacks, but the node stays on the
 #   graph.
-# - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()`, so the exit code is 0.
+# - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()` so that the exit code is
+#   0.
 #
 # **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)
 #
-# **Next:** [09 · The joint positions](09_joint_positions.ipynb), a third topic that moves the whole robot
+# **Next:** [09 · The joint positions](09_joint_positions.ipynb), a third topic, for the movements of the whole robot
 #
 # **More:** [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)

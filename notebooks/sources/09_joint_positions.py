@@ -10,7 +10,7 @@
 #   - publish an array of joint angles
 #   - choose and justify a rate for it
 #   - use the angles in a subscriber
-#   - measure how much CPU time a rate costs
+#   - measure how much CPU time it takes to publish at a given rate
 # - **Not covered:** joint names inside the message (`sensor_msgs/JointState`), the connections between links (URDF),
 #   motor control
 
@@ -26,7 +26,7 @@ print("started", start(joint_position_publisher, period_s=0.05))
 await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
-# Every pose that you saw went through DDS from one process to another, as twelve numbers:
+# Every pose that you saw was sent over DDS from one process to another as twelve numbers:
 #
 # | index | joint | index | joint | index | joint |
 # |---|---|---|---|---|---|
@@ -61,7 +61,7 @@ await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 1.0), secon
 # In lesson 08, the node published the battery level at 0.5 Hz, one message every 2 s. Suppose we publish the *waving*
 # robot's joint angles just as slowly. A program draws the robot using the last message that arrived.
 #
-# How far off is that drawing at worst? The elbow swings back and forth through about 1 rad (57°).
+# How far off is the elbow in that drawing at worst? The elbow swings back and forth through about 1 rad (57°).
 #
 # - **a** Hardly at all: the last message is nearly right.
 #   when `share_of_the_swing < 0.05`
@@ -83,7 +83,7 @@ predict("the-slow-drawing")
 # %% [markdown]
 # ## Run it
 #
-# We record the same publisher with a period of 2 s. The recorder controls the robot's clock, so 14 s of simulated time
+# We record the same publisher with a period of 2 s. `record` controls the robot's clock, so 14 s of simulated time
 # (*robot time*) take about one real second.
 
 # %%
@@ -96,8 +96,8 @@ print("arrived at", arrivals(slow, TOPIC), "s")
 print("values per message:", {len(angles) for angles in values(slow, TOPIC)})
 
 # %% [markdown]
-# We know how the robot really moves, because the lesson node computes every pose with `waving(t)`. So we can compare
-# the real elbow angle with the one in the last message.
+# We know how the robot really moves, because the publisher computes every pose with `waving(t)`. So we can compare the
+# real elbow angle with the one in the last message.
 
 # %%
 import numpy as np
@@ -150,8 +150,8 @@ show(
 
 # %% [markdown]
 # Between two messages, a subscriber gets no new values, because DDS delivers messages but doesn't interpolate between
-# them. The elbow swings back and forth 0.8 times per second, so more than once in 2 s. But the battery drains by at
-# most 0.5% in 2 s, so the last battery message is never off by more than that.
+# them. The elbow swings back and forth 0.8 times per second, which is more than once every 2 s. The battery, in
+# contrast, drains by at most 0.5% in 2 s, so the last battery message is never off by more than that.
 #
 # **Publish often enough that a subscriber gets every change that matters to it.**
 #
@@ -170,11 +170,11 @@ print("left elbow sent:", waving(0.25)[ELBOW])
 print("left elbow kept:", message.data[ELBOW])
 
 # %% [markdown]
-# The two numbers differ in the eighth digit, because a Python `float` has 64 bits but the field has only 32. For an
-# angle, that difference doesn't matter. But never compare such values with `==`.
+# The two numbers differ in the eighth digit, because a Python `float` has 64 bits, but each value in the field has only
+# 32. For an angle, that difference doesn't matter. But never compare such values with `==`.
 #
-# **Your turn.** An index such as 4 doesn't say which joint it stands for. Get the right shoulder's angle from `message`
-# by the joint's name.
+# **Your turn.** An index such as 4 doesn't say which joint it stands for. Use the joint's name to look up the right
+# shoulder's angle in `message`.
 
 # %% id="your-joint"
 from workbook.lesson import yours
@@ -188,16 +188,16 @@ yours(right_shoulder, waving(0.25)[4], 'message.data[JOINTS.index("right_shoulde
 #
 # ### Experiment 1: 10 Hz instead of 0.5 Hz
 #
-# Now the joint publisher sends at 10 Hz. At 10 Hz, the largest error in the last known elbow angle, compared with 0.5
-# Hz, will be:
+# Now the joint publisher sends at 10 Hz. How large will the largest error in the last known elbow angle be, compared
+# with the error at 0.5 Hz?
 #
-# - **a** less than a third
+# - **a** less than a third as large
 #   when `share_of_the_error < 1 / 3`
 #   ✓ The last message is at most 0.1 s old, instead of 2 s. In that time, the elbow moves only a little.
-# - **b** about half
+# - **b** about half as large
 #   when `1 / 3 <= share_of_the_error <= 0.8`
 #   ✗ There are twenty times as many messages, so the error shrinks by much more than half.
-# - **c** the same, because the motion is the same
+# - **c** just as large, because the motion is the same
 #   when `share_of_the_error > 0.8`
 #   ✗ The motion is the same, but the error grows with the time since the last message, which is shorter now.
 
@@ -227,7 +227,7 @@ yours(lowest_hz, 60.0, "In one period, the knee may turn by at most 0.05 rad.")
 # %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
 #
-# A node, the *hand tracker*, subscribes to the angles. It computes the left hand's height above the shoulder and
+# A node called the *hand tracker* subscribes to the angles. It computes the left hand's height above the shoulder and
 # publishes the result. The tracker has only one callback. It belongs to the subscription and runs once per message
 # (lesson 04).
 #
@@ -237,13 +237,13 @@ yours(lowest_hz, 60.0, "In one period, the knee may turn by at most 0.05 rad.")
 # - **a** about 0.65 cm: 13 cm in 20 messages
 #   when `largest_step_cm < 0.8`
 #   ✗ In a second, the hand moves farther than 13 cm: it goes up and down 0.8 times.
-# - **b** about 2 cm: the hand rises 13 cm in 12.5 messages, but not evenly
+# - **b** about 2 cm: in half a wave (12.5 messages), the hand rises 13 cm, but not at a constant speed
 #   when `largest_step_cm >= 1.5`
 #   ✓ The hand rises for 0.625 s, or 12.5 messages, so it averages 1 cm per message. At its fastest, it moves about
-#   twice as far.
-# - **c** about 1 cm: the hand rises 13 cm in 12.5 messages
+#   twice that far.
+# - **c** about 1 cm: in half a wave (12.5 messages), the hand rises 13 cm
 #   when `0.8 <= largest_step_cm < 1.5`
-#   ✗ That's the average step. The hand slows down where it reverses, so it's faster in between.
+#   ✗ That's the average step. The hand slows down where it reverses direction, so it's faster in between.
 # - **d** That depends on when the tracker's callback runs.
 #   ✗ The height depends only on the message, not on the time at which the callback runs.
 
@@ -321,21 +321,22 @@ axes.set_title("Each message becomes one height: 25 of them per wave")
 show(fig, "a hundred dots, one for each message: the waving hand goes up and down")
 
 # %% [markdown]
-# The node publishes one height per message. Many of a robot's nodes work like this: they subscribe to one topic,
-# compute something more useful, and publish the result.
+# The node publishes one height per message. Many nodes on a robot work like this: they subscribe to one topic, compute
+# something more useful, and publish the result.
 
 # %% [markdown] prediction="a-hundred-hertz"
 # ### Experiment 3: the cost of 100 Hz
 #
-# What does a higher rate cost? We run the publisher at three rates, each time in a separate process. The operating
-# system reports how much CPU time the process used after its startup.
+# What does a higher rate cost? We run the publisher at three rates, each time in a separate process. Each time, the
+# operating system reports how much CPU time the process used, not counting its startup.
 #
-# At 100 Hz, there are 200 times as many messages as at 0.5 Hz. The program's CPU time will be:
+# At 100 Hz, there are 200 times as many messages as at 0.5 Hz. How much CPU time does the program use, compared with
+# 0.5 Hz?
 #
 # - **a** about 200 times as much
 #   when `times_as_much >= 200`
 #   ✗ At 0.5 Hz, much of the CPU time doesn't go to messages, because DDS works in the background at any rate.
-# - **b** the same
+# - **b** the same amount
 #   when `times_as_much <= 1`
 #   ✗ Filling, serializing, and sending a message takes CPU time. At 100 Hz, that happens 200 times as often.
 # - **c** more, but less than 200 times as much
@@ -389,8 +390,8 @@ show(
 
 # %% [markdown]
 # These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS exchanges its own
-# messages with other programs. The rest grows with the rate, but more slowly. On our idle machine, each message cost
-# far less CPU time at 100 Hz than at 10 Hz; we haven't measured why.
+# messages with other programs. The remaining CPU time grows with the rate, but less than proportionally. On our
+# otherwise idle machine, each message cost far less CPU time at 100 Hz than at 10 Hz; we haven't investigated why.
 #
 # So 100 Hz is affordable for *one* publisher. But every message costs CPU time in each subscriber, too, and a robot has
 # many topics. Also, while a Python node is busy with one topic, messages on its other topics have to wait (lesson 10).
@@ -410,7 +411,7 @@ joint_pub.publish(waving(0.0))
 # %% [markdown]
 # `publish` needs a message, so put the list into its `data` field: `Float32MultiArray(data=angles)`.
 #
-# **One number instead of a list.** The field is an array, even if it contains a single value.
+# **One number instead of a list.** The field is always an array, even for a single value.
 
 # %% tags=["raises-exception"]
 Float32MultiArray(data=1.57)
@@ -464,8 +465,8 @@ yours(
 # ## From a worked example to your own
 #
 # **Worked example.** We add one more topic to lesson 08's status publisher: the head's angle, published once a second.
-# This requires three additions: a publisher, a timer, and a callback. The two old topics stay unchanged, because
-# `super().__init__()` still creates them.
+# This requires three additions: a publisher, a timer, and a callback. The two existing topics stay as they are, because
+# `super().__init__()` still creates their publishers and timers.
 
 # %%
 from rclpy.logging import LoggingSeverity, set_logger_level
@@ -559,7 +560,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # <details><summary>a) rclpy, when you call publish()</summary>
 #
-# ✗ A Float32MultiArray can have any length. rclpy may check the values' types, but not how many there are.
+# ✗ A Float32MultiArray can have any length. rclpy may check the values' types, but it doesn't count the values.
 #
 # </details>
 # <details><summary>b) DDS, because the publisher announced twelve</summary>
@@ -569,7 +570,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # </details>
 # <details><summary>c) Only a subscriber that counts them</summary>
 #
-# ✓ So both sides must make sure that there are twelve values, in the agreed order.
+# ✓ Nothing else checks the length, so both sides must make sure that there are twelve values in the agreed order.
 #
 # </details>
 #
@@ -591,7 +592,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # </details>
 #
-# **4. The angles used to arrive at 20 Hz, but now only at 5 Hz. How many heights does the hand tracker publish?**
+# **4. The angles used to arrive at 20 Hz, but now they arrive at only 5 Hz. How many heights does the hand tracker publish?**
 #
 # <details><summary>a) 20 a second, most of them repeated</summary>
 #
@@ -612,7 +613,8 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # %% [markdown]
 # ## Talk it through
 #
-# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
+# Read this prompt and write down your own answer. Then copy the prompt into an AI assistant, or discuss it with a
+# colleague.
 #
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes twelve
@@ -624,10 +626,11 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # <details><summary>What a good answer covers</summary>
 #
-# It suggests one topic at the fastest rate that's really needed. Slower subscribers sample it, using a queue depth of 1
-# or a timer that reads the last message. Three topics with the same angles can contradict each other. But every message
-# costs each subscriber CPU time, so for a slow Python subscriber, a second topic with fewer messages can make sense. A
-# real robot would use `sensor_msgs/JointState`, which contains names, positions, velocities, and a time stamp.
+# A good answer suggests one topic at the fastest rate that's really needed. Slower subscribers sample it, with a queue
+# depth of 1 or with a timer callback that uses the last message. Three topics with the same angles can contradict each
+# other. But every message costs each subscriber CPU time, so for a slow Python subscriber, a second topic with fewer
+# messages can make sense. A real robot would use `sensor_msgs/JointState`, which contains names, positions, velocities,
+# and a time stamp.
 #
 # </details>
 #
@@ -637,9 +640,9 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # - **Fill in `layout.dim`, or no subscriber can read `data`:** The twelve numbers in `data` arrive even without a
 #   layout, because a layout only describes them.
-# - **Assign the 4 × 3 NumPy array to `data`:** The field is one-dimensional, so this raises an error. Flatten the
-#   array, and pass it to the constructor instead: `Float32MultiArray(data=angles.ravel())`. Assigning it with
-#   `message.data = angles.ravel()` raises an error here, too, because field checks (lesson 03) are on.
+# - **Assign a 4 × 3 NumPy array of the angles to `data`:** The field is one-dimensional, so this raises an error.
+#   Flatten the array, and pass it to the constructor instead: `Float32MultiArray(data=angles.ravel())`. Assigning it
+#   with `message.data = angles.ravel()` raises an error here, too, because field checks (lesson 03) are on.
 #
 # </details>
 
@@ -651,7 +654,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # - A node that publishes one result per message needs no timer, because each message triggers its callback.
 # - Check the angles where you compute them: there must be the right number, and each must be finite and in range.
 # - A message is a snapshot, and a subscriber gets nothing new until the next one arrives.
-# - So the right rate depends on how fast the value changes, and on how much detail its subscribers need.
+# - The right rate depends on how fast the value changes and how much detail the subscribers need.
 #
 # **Before:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
 #

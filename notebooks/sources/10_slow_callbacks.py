@@ -5,7 +5,7 @@
 #
 # - **Minutes:** 50
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and a basic idea of
-#   threads: one program can run several pieces of code at the same time
+#   threads, which let one program run several pieces of code at the same time
 # - **You will be able to:**
 #   - explain what a slow callback does to the rest of a node
 #   - move slow work elsewhere
@@ -31,7 +31,8 @@ stop()
 # %% [markdown] prediction="two-nodes"
 # ## Predict
 #
-# In lesson 05, a single thread ran all of a node's timer callbacks. In this robot, one of those callbacks is slow:
+# In lesson 05, a single thread ran all of a node's timer callbacks. This robot works the same way, but one of its
+# callbacks is slow:
 #
 # ```python
 # self.create_timer(0.1, self.beat)         # the heartbeat, 10 Hz
@@ -170,7 +171,7 @@ show(
 )
 
 # %% [markdown]
-# No heartbeat arrived during the shaded times. `rclpy.spin` is a loop in **one thread**. In essence, the loop looks
+# No heartbeat arrived during the shaded intervals. `rclpy.spin` is a loop in **one thread**. In essence, the loop looks
 # like this:
 #
 # ```python
@@ -182,7 +183,7 @@ show(
 # A timer doesn't *run*. It's just an entry in a list: "due at 3.2 s". While `think` occupies the thread, the executor
 # doesn't check the list or take messages from any queue.
 #
-# When `think` returns, the loop checks the list again. What happens to the ten heartbeats that came due while `think`
+# When `think` returns, the loop checks the list again. What happens to the ten heartbeats that were due while `think`
 # was running?
 
 # %% id="no-burst"
@@ -190,12 +191,12 @@ bursts = sum(beats[n + 2] - beats[n] < 0.05 for n in range(len(beats) - 2))
 print("bursts, three heartbeats or more within 0.05 s:", bursts)
 
 # %% [markdown]
-# They're dropped. The heartbeat timer is overdue, so it fires once and then returns to its schedule. It doesn't make up
-# for missed **ticks**. Missed **messages** are different, because they wait in the subscription's queue, up to its
-# depth. The executor handles them later, one by one.
+# All but one of the ten heartbeats are dropped. The heartbeat timer is overdue, so it fires once and then returns to
+# its schedule. It doesn't make up for missed **ticks**. Missed **messages** are different, because they wait in the
+# subscription's queue, up to its depth. The executor handles them later, one by one.
 #
-# So *keep callbacks short*: store something, publish something, return. But some work takes a long time: planning a
-# path, running a neural network, or waiting for a gripper. The rest of this lesson shows where to put such work.
+# So *keep callbacks short*: store or publish something, and return. But some work takes a long time: planning a path,
+# running a neural network, or waiting for a gripper. The rest of this lesson shows where to put such work.
 
 # %% [markdown] prediction="four-threads"
 # ## Change it
@@ -260,8 +261,9 @@ show_machine(
 # doesn't even check that timer.
 #
 # Three of the four threads are idle. That's because each callback belongs to a **callback group**. Unless you choose
-# another, it's the node's default group. This group is *mutually exclusive*: only one of its callbacks runs at a time,
-# no matter how many threads there are. So unless you *explicitly* allow it, a node's callbacks never run in parallel.
+# another group, a callback belongs to the node's default group. This group is *mutually exclusive*: only one of its
+# callbacks runs at a time, no matter how many threads there are. So unless you *explicitly* allow it, a node's
+# callbacks never run in parallel.
 
 # %% [markdown] prediction="own-group"
 # ### Experiment 2: a separate group
@@ -274,8 +276,8 @@ show_machine(
 #         self.create_timer(1.1, self.think, callback_group=thinking)
 # ```
 #
-# With these lines, `beat` is in the default group, and `think` is alone in another group. We run four programs, one for
-# each combination: with or without this separate group, and with one thread or four. Which of them have a steady
+# With these lines, `beat` is in the default group, and `think` is alone in another group. Let's run four programs, one
+# for each combination: with or without this separate group, and with one thread or four. Which of them have a steady
 # heartbeat?
 #
 # - **a** Only the program with the separate group and four threads.
@@ -284,7 +286,8 @@ show_machine(
 #   Neither is enough by itself.
 # - **b** None of them: thinking still takes a second.
 #   when `one_thread < 0.6 * due and four_threads < 0.6 * due`
-#   ✗ It does, but with a separate group and a second thread, the heartbeat no longer waits for `think`.
+#   ✗ Thinking does take a second, but with a separate group and a second thread, the heartbeat no longer waits for
+#   `think`.
 # - **c** Both programs with the separate group: one thread is enough.
 #   when `one_thread >= 0.6 * due`
 #   ✗ A group gives permission, but it doesn't add a thread. With one thread, the heartbeat still waits until `think`
@@ -440,7 +443,7 @@ class StepCounter(Node):
 # In two seconds, `on_step` is called about 400 times. With four threads and a reentrant group, what's the value of
 # `steps` at the end?
 #
-# - **a** The number of calls: Python's own lock, the GIL, prevents errors.
+# - **a** The number of calls: Python's global interpreter lock (GIL) prevents errors.
 #   when `0.9 * calls <= steps <= calls`
 #   ✗ The GIL lets only one thread run at a time. But Python may switch threads after one thread has read `steps` and
 #   before it writes the new value.
@@ -473,8 +476,8 @@ reveal("the-steps", steps=free.steps, calls=len(free.called))
 # depends on the order in which the threads happen to run. No exception is raised, and a short test may never reveal the
 # race.
 #
-# Python's own lock, the GIL, doesn't protect *your* three lines, because Python may switch threads between any two of
-# them. But you can create your own lock, which only one thread can hold at a time.
+# Python's global interpreter lock (GIL) doesn't protect *your* three lines, because Python may switch threads between
+# any two of them. But you can create your own lock, which only one thread can hold at a time.
 #
 # **Your turn.** Make the reentrant counter safe. The class below wraps the three lines in a `with lock:` block.
 
@@ -695,7 +698,7 @@ print("heartbeats in 4 s:", about(guide.beats, between=(20, 42)))
 
 # %% [markdown]
 # With one thread, only about 20 of the 40 heartbeats would have been published. Three requests arrived at the same
-# time. Two of them waited in the subscription's queue, and the robot planned all three in order. The *mutually
+# time. Two of them waited in the subscription's queue, and the robot planned all three paths in order. The *mutually
 # exclusive* group guarantees that order.
 #
 # **Fill in the blanks.** This version uses a queue and its own worker thread. The callbacks just hand over the work, so
@@ -763,10 +766,10 @@ yours(
 # </details>
 # <details><summary>b) <code>spin</code> raises the exception, and the program ends</summary>
 #
-# ✗ That happens if a callback raises an exception. This callback only handed over the work.
+# ✗ That happens if the callback itself raises an exception. This callback only handed over the work.
 #
 # </details>
-# <details><summary>c) A traceback, and no further plan, because the pool's thread has ended</summary>
+# <details><summary>c) A traceback, and then no more plans, because the pool's thread has ended</summary>
 #
 # ✗ That's what happens with a `threading.Thread`. A pool stores the exception, and its thread takes the next task.
 #
@@ -786,7 +789,7 @@ yours(
 # </details>
 # <details><summary>c) One at a time, as with <code>rclpy.spin</code></summary>
 #
-# ✓ They are all in the node's default group, which is mutually exclusive.
+# ✓ All of them are in the node's default group, which is mutually exclusive.
 #
 # </details>
 #
@@ -810,18 +813,18 @@ yours(
 #
 # **4. `on_goal` takes 0.8 s and is alone in a mutually exclusive group. The executor has four threads. Three goals arrive. What happens?**
 #
-# <details><summary>a) Three threads plan them at the same time</summary>
+# <details><summary>a) Three threads plan for them at the same time</summary>
 #
 # ✗ That would require a reentrant group. A mutually exclusive group runs one call at a time, even if all calls are to
 # the same callback.
 #
 # </details>
-# <details><summary>b) The first goal is planned, and the other two are lost</summary>
+# <details><summary>b) The robot plans for the first goal, and the other two are lost</summary>
 #
 # ✗ A busy group doesn't lose messages. They wait in their subscription's queue, up to its depth.
 #
 # </details>
-# <details><summary>c) They are planned one after another, in the order of their arrival</summary>
+# <details><summary>c) The robot plans for one goal after another, in the order in which they arrived</summary>
 #
 # ✓ Two goals wait in the subscription's queue. The last plan is ready after about 2.4 s.
 #
@@ -830,7 +833,8 @@ yours(
 # %% [markdown]
 # ## Talk it through
 #
-# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
+# Read this prompt and write down your own answer. Then copy the prompt into an AI assistant, or discuss it with a
+# colleague.
 #
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a
@@ -845,11 +849,11 @@ yours(
 #
 # *Group and threads:* Goals wait in the subscription's queue, and once it's full, the oldest ones are lost. The goals
 # stay in order as long as the group is mutually exclusive. An exception propagates out of `spin` and ends the program.
-# *Queue and worker:* The queue can grow long, so the robot may still be planning for goals that are a minute old. The
-# worker must handle exceptions, or no further plans are made. *Process:* The heartbeat survives even a planner crash,
-# but another program has to detect the crash and restart the planner. A good answer asks whether an old goal is worth
-# planning at all. Often, only the newest goal counts. In that case, use a depth of 1. A good answer doesn't propose a
-# reentrant group, because two calls would then use the same planner at the same time.
+# *Queue and worker:* The queue can grow long, so the robot may still be planning paths to goals that are a minute old.
+# The worker must handle exceptions, or the first one ends its thread. *Process:* The heartbeat survives even a planner
+# crash, but another program has to detect the crash and restart the planner. A good answer asks whether it's worth
+# planning for an old goal at all. Often, only the newest goal counts. In that case, use a queue depth of 1. A good
+# answer doesn't propose a reentrant group, because two calls would then use the same planner at the same time.
 #
 # </details>
 #
@@ -857,7 +861,7 @@ yours(
 #
 # Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
-# - **Replacing the executor with a `MultiThreadedExecutor` is enough:** Unless you say otherwise, all of a node's
+# - **Replacing the executor with a `MultiThreadedExecutor` is enough:** Unless you choose other groups, all of a node's
 #   callbacks are in one mutually exclusive group. They still run one at a time.
 # - **The executor logs an exception in a callback and continues:** In fact, `spin` raises the exception. If your
 #   program doesn't catch it, the program ends.

@@ -8,13 +8,13 @@
 # - **You need:** lessons [05](05_timers.ipynb) and [10](10_slow_callbacks.ipynb)
 # - **You will be able to:**
 #   - recognize polling and callbacks in a program
-#   - compare them by latency, missed messages, and processor time
+#   - compare them by latency, missed messages, and CPU time
 #   - replace a polling loop with callbacks
 # - **Not covered:** choosing a queue depth (lesson 13), and real-time systems
 
 # %% [markdown]
 # **Polling** means checking again and again whether something has happened. With a **callback**, your code doesn't have
-# to check: rclpy calls it when a message arrives.
+# to check: rclpy calls the callback when a message arrives.
 #
 # This robot does both. The sensor in its hand numbers each touch and publishes the number. Two monitors report the
 # touches: one polls, and the other uses a callback.
@@ -60,7 +60,7 @@ stop()
 #   ✓ The loop finds only the last touch of each bunch, because each touch overwrites the one before it.
 # - **b** About 100: one per poll.
 #   when `sent / 2 <= reported < sent`
-#   ✗ The loop does poll about 100 times. But most polls fall into a pause, so they find nothing new.
+#   ✗ The loop does poll about 100 times. But most polls happen during a pause, so they find nothing new.
 # - **c** All 120, some of them a little late.
 #   when `reported == sent`
 #   ✗ `monitor.last` stores only one touch. If several touches arrive between two polls, only the last one is left.
@@ -74,8 +74,8 @@ predict("the-touches")
 # ## Run it
 #
 # A referee node subscribes to the touches and to both monitors' reports. Each message carries the time at which it was
-# sent. If a callback takes a second argument, rclpy passes it that time, too. So the referee can compute each report's
-# delay, no matter how busy the referee itself is.
+# sent. If a callback takes a second argument, rclpy also passes it information about the message, which includes this
+# timestamp. So the referee can compute each report's delay, no matter how busy the referee itself is.
 #
 # [the same without helpers: start, init, fresh, run]
 
@@ -153,7 +153,7 @@ print("typical delay by callback:", typical(first, "callback", (0.1, 20)))
 # %% [markdown]
 # ## Look inside
 #
-# The next plot shows the first 1.5 seconds. Touches in the same bunch are drawn one above the other.
+# The next plot shows the first 1.5 seconds. Touches in the same bunch are stacked vertically.
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -218,8 +218,8 @@ show(
 
 # %% [markdown]
 # With polling, nothing happens until the next poll, so the average wait is half the sleep time. With a callback,
-# there's no such wait. The executor's thread sleeps *in the operating system*, which wakes the thread as soon as a
-# message arrives.
+# there's no such wait. The *operating system* puts the executor's thread to sleep and wakes it as soon as a message
+# arrives.
 #
 # What does this mean for the egg? The next animation uses each monitor's typical latency from this run. The fingers
 # close at 100 mm/s and stop when the touch is reported. If they squeeze the shell by more than 2 mm, it breaks.
@@ -252,7 +252,7 @@ yours(longest_sleep_s, 0.02, "In the worst case, a touch waits for the whole sle
 #
 # ### Experiment 1: poll more often
 #
-# Let the loop sleep for 5 ms instead of 50 ms. How do its reports change?
+# Now make the loop sleep for 5 ms instead of 50 ms. How do its reports change?
 #
 # - **a** They come sooner, and no touch is missed.
 #   when `times_as_late < 0.5 and reported >= sent * 2 / 3`
@@ -261,7 +261,7 @@ yours(longest_sleep_s, 0.02, "In the worst case, a touch waits for the whole sle
 #   when `times_as_late < 0.5 and reported < sent * 2 / 3`
 #   ✓ The next poll comes sooner. But `monitor.last` still stores only one touch, and a bunch is usually over before the
 #   next poll.
-# - **c** They come as late as before, but no touch is missed.
+# - **c** They're just as late as before, but no touch is missed.
 #   when `times_as_late >= 0.5`
 #   ✗ A touch waits only until the next poll. With a shorter sleep, the next poll comes sooner.
 
@@ -313,12 +313,12 @@ yours(reported or ..., [1, 2, 3], "report(message.data)")
 # %% [markdown] prediction="no-sleep"
 # ### Experiment 2: no sleep at all
 #
-# Now the loop doesn't sleep: `while rclpy.ok(): monitor.look()`. You know from lesson 06 that such a loop keeps a
-# processor busy. But is it fast? When do the loop's reports come, compared with the callback's?
+# Now the loop doesn't sleep: `while rclpy.ok(): monitor.look()`. As you saw in lesson 06, such a loop keeps a CPU core
+# busy. But is it fast? Do the loop's reports come sooner or later than the callback's?
 #
 # - **a** Sooner: the loop polls a million times a second, but the callback's thread has to be woken first.
 #   when `times_as_late < 0.8`
-#   ✗ The loop holds Python's lock, the GIL, so the thread that receives messages has to wait.
+#   ✗ The loop holds Python's global interpreter lock (GIL), so the thread that receives messages has to wait.
 # - **b** At about the same time.
 #   when `0.8 <= times_as_late <= 1.2`
 #   ✗ Both monitors need a thread that receives messages. In the polling monitor, that thread has to wait for a loop
@@ -372,10 +372,10 @@ print("the callback takes", idle)
 
 # %% [markdown]
 # The loop never pauses, yet it's *slower* than the callback, whose thread sleeps until a message wakes it. The reason
-# is Python's lock, the GIL. While the loop holds it, the receiving thread can't run. So each time a message arrives,
-# that thread starts a few milliseconds late.
+# is Python's global interpreter lock (GIL). While the loop holds the GIL, the receiving thread can't run. So each time
+# a message arrives, that thread starts a few milliseconds late.
 #
-# A busy processor also drains the battery, so the robot can't walk for as long.
+# A busy CPU core also drains the battery, so the robot can't walk for as long.
 
 # %% [markdown] prediction="a-queue-for-the-loop"
 # ### Experiment 3: a queue for the loop
@@ -407,7 +407,7 @@ print("typical delay:", typical(patient, "polling", (10, 100)))
 reveal("a-queue-for-the-loop", is_complete=is_complete, late_ms=late_ms)
 
 # %% [markdown]
-# The loop no longer loses any touches. But every subscription already has a queue, so the second one is redundant. As
+# The loop no longer loses any touches. But every subscription already has a queue, so adding your own is redundant. As
 # soon as a message enters the subscription's queue, an idle executor runs your callback. The loop only adds a delay.
 #
 # **When polling is right.** A controller that steers five times a second doesn't need every distance that the sensor
@@ -472,11 +472,11 @@ for timeout, rounds, processor in (greedy, calm):
     print(f"timeout_sec={timeout}: {iterations} for 15 ticks, {cost}")
 
 # %% [markdown]
-# `timeout_sec=0` is right if other code already does the waiting, such as a GUI's event loop. In your own loop, use a
-# longer timeout, such as 0.1 s. `spin_once` still returns early if there's something to do. With `rclpy.spin(node)`,
-# you don't need a loop at all.
+# `timeout_sec=0` is right if other code, such as a GUI's event loop, already does the waiting. In your own loop, use a
+# longer timeout, such as 0.1 s. `spin_once` doesn't always wait that long: as soon as there's a callback to run, it
+# runs the callback and returns. With `rclpy.spin(node)`, you don't need a loop at all.
 #
-# **A loop that sleeps forever.** For loops that run at a fixed rate, ROS provides `rate.sleep()`, and many old examples
+# **A loop that sleeps forever.** ROS provides `rate.sleep()` for loops that run at a fixed rate, and many old examples
 # use it. What does this program print?
 
 # %% id="rate"
@@ -577,7 +577,7 @@ print("steers by:", walker.steered_by[-1])
 # %% [markdown]
 # **Fill in the blanks.** This reception robot polls a call button. If two visitors press the button during the same
 # sleep, the robot greets only one of them. Replace the polling with a callback that greets each visitor. The two places
-# are marked TODO.
+# that you need to change are marked TODO.
 
 
 # %%
@@ -619,7 +619,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A loop sleeps for 0.2 s between two polls. On average, how long does it take to notice an event?**
+# **1. A loop sleeps for 0.2 s between polls. On average, how long does it take to notice an event?**
 #
 # <details><summary>a) About 0.1 s</summary>
 #
@@ -634,11 +634,12 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # </details>
 # <details><summary>c) It depends on how often events occur</summary>
 #
-# ✗ The number of *missed* events depends on that. For all other events, the delay depends on the sleep.
+# ✗ The number of *missed* events depends on that. For the events that the loop does notice, the delay depends on the
+# sleep time.
 #
 # </details>
 #
-# **2. A callback stores each message in `self.last`, which a loop polls every millisecond. Can the loop miss one?**
+# **2. A callback stores each message in `self.last`, which a loop polls every millisecond. Can the loop miss a message?**
 #
 # <details><summary>a) No, because ROS keeps messages until they're read</summary>
 #
@@ -648,16 +649,16 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # </details>
 # <details><summary>b) No, because a millisecond is shorter than any pause between messages</summary>
 #
-# ✗ Messages that were published together arrive within a fraction of a millisecond.
+# ✗ Messages that were published together arrive within a fraction of a millisecond of one another.
 #
 # </details>
 # <details><summary>c) Yes, if two messages arrive during one sleep</summary>
 #
-# ✓ `self.last` stores only one message. In experiment 1, a sleep of 5 ms was too long, too.
+# ✓ `self.last` stores only one message. In experiment 1, touches in a bunch were less than a millisecond apart.
 #
 # </details>
 #
-# **3. Why does a node that waits in `rclpy.spin` need almost no processor time?**
+# **3. Why does a node that waits in `rclpy.spin` need almost no CPU time?**
 #
 # <details><summary>a) It polls only a few times a second</summary>
 #
@@ -666,7 +667,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # </details>
 # <details><summary>b) It sleeps until the operating system wakes it for a message or a timer</summary>
 #
-# ✓ A thread that sleeps in the operating system uses no processor time.
+# ✓ A thread that the operating system has put to sleep uses no CPU time.
 #
 # </details>
 # <details><summary>c) rclpy runs in a separate process</summary>
@@ -689,21 +690,22 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # </details>
 # <details><summary>c) Parcels that have to be counted</summary>
 #
-# ✗ If two parcels fell between two polls, they'd be counted as one.
+# ✗ If two parcels fell between two reads, they'd be counted as one.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
+# Read this prompt and write down your own answer. Then copy the prompt into an AI assistant, or discuss it with a
+# colleague.
 #
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot has a camera (30
-# images per second), a bumper (it's rarely hit, but then every moment counts), and a
-# battery (one value every two seconds). A colleague wants one loop that checks all three
-# every 20 ms, "because then I see the order in which things happen". What would you
-# answer? Make sure that every rclpy function you use exists in Jazzy.
+# images per second), a bumper (it's rarely hit, but when it is, every moment counts), and
+# a battery (one value every two seconds). A colleague wants one loop that checks all
+# three every 20 ms, "because then I see the order in which things happen". How should I
+# respond? Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer covers</summary>
@@ -718,7 +720,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # order in which it checks them, and the executor handles timers before messages. To find the order of events, compare
 # timestamps.
 #
-# A good answer also mentions processor time. And it points out that one slow check delays all three (lesson 10).
+# A good answer also mentions CPU time. And it points out that one slow check delays all three (lesson 10).
 #
 # </details>
 #
@@ -736,14 +738,14 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # %% [markdown]
 # ## Take away
 #
-# - On average, polling finds a message late by half the sleep time. If the callback stores only the last of several
-#   messages, the loop misses the others.
-# - Polling more often shortens the delay, but it costs more processor time and still misses messages. Polling without a
-#   sleep is slow *and* expensive.
+# - On average, a polling loop notices a message half the sleep time after it arrives. If the callback stores only the
+#   last of several messages, the loop misses the others.
+# - Polling more often shortens the delay, but it costs more CPU time and still misses messages. Polling without a sleep
+#   is slow *and* expensive.
 # - A callback runs once for each message. It runs as soon as the message arrives, if the executor's thread is free.
-#   Waiting for messages costs almost no processor time.
+#   Waiting for messages costs almost no CPU time.
 # - React to an event in the callback. Store a state, and read it with a timer.
-# - A loop around `spin_once(timeout_sec=0)` keeps a processor busy for nothing. `rate.sleep()` never returns unless
+# - A loop around `spin_once(timeout_sec=0)` keeps a CPU core busy for nothing. `rate.sleep()` never returns unless
 #   another thread spins the node.
 #
 # **Before:** [10 · Slow callbacks](10_slow_callbacks.ipynb)
