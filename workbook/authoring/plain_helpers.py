@@ -13,15 +13,15 @@ _BOX = "<details><summary>{title}</summary>\n\n{inside}\n\n</details>"
 PLAIN = {
     "start": """\
 `start(program, period_s=0.5)` starts one of this course's programs in its own process, and waits until other programs
-can discover its node. `stop()` ends it the same way that Ctrl-C would. In a terminal, run this command, with
-the program's name in place of `NAME`:
+can discover its node. `stop()` interrupts it, just as Ctrl-C would. In a terminal, run this command with the program's
+name in place of `NAME`:
 
 ```bash
 python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
 ```""",
     "record": """\
-`record(program, {topic: period_s}, seconds)` starts a program, records all messages on the given topics, and stops the
-program the same way that Ctrl-C would. The program runs on simulated time, so a simulated minute takes only a few real
+`record(program, {topic: period_s}, seconds)` starts a program, records all messages on the given topics, and interrupts
+the program, just as Ctrl-C would. The program runs on simulated time, so a simulated minute takes only a few real
 seconds. In a full ROS 2 installation, this command records in real time while the program runs:
 
 ```text
