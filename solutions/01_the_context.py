@@ -18,21 +18,22 @@
 # %% [markdown]
 # # Exercise 01 · A guard that shuts down cleanly
 #
-# The museum's night guard is a robot, and its program is complete except for `main()`. At six in the morning, the day
-# shift presses Ctrl-C. Last week, that froze the robot in mid-step, with both arms in the air and a crash report on its
-# screen. And on Tuesday, the graph still listed a guard whose program had ended long before. Write a `main()` that ends
-# the night properly.
+# The museum's night guard is a robot, and its program is complete except for `main()`. Every morning at six, the day
+# shift stops the program with Ctrl-C. Last week, that froze the robot mid-step, with both arms in the air and a crash
+# report on its screen. And on Tuesday, the graph still listed a guard whose program had long since ended. Write a
+# `main()` that shuts the guard down properly at the end of the night.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [01](../notebooks/01_the_context.ipynb).
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
+# [01](../notebooks/01_the_context.ipynb).
 #
 # ## What to build
 #
 # | when | what happens |
 # |---|---|
 # | at the start | exactly one node is on the graph: `/night_guard` |
-# | all night | the guard walks its rounds and logs each of them, until the program is stopped |
+# | all night | the guard makes its rounds and logs each one, until the program is stopped |
 # | on Ctrl-C | the program calls `park()`, which prints `arms parked` |
-# | then | the program ends on its own: exit code 0, no traceback, no node left |
+# | after that | the program ends by itself, with exit code 0 and no traceback, and its node leaves the graph |
 #
 # The class `NightGuard` is given. `park()` doesn't use ROS, so you may call it after the context is shut down. Don't
 # call it before Ctrl-C, because a guard with folded arms can't guard anything.
@@ -45,14 +46,15 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the program runs until it is told to end |
-# | 1 | the guard walks its rounds |
-# | 1 | `/night_guard` is on the graph, once |
+# | 1 | the program keeps running until Ctrl-C |
+# | 1 | the guard makes its rounds |
+# | 1 | `/night_guard` is on the graph exactly once |
 # | 2 | the arms are parked after Ctrl-C, and not before |
-# | 3 | Ctrl-C ends it with exit code 0 and no traceback |
-# | 2 | its node is gone from the graph |
+# | 3 | Ctrl-C ends the program with exit code 0 and no traceback |
+# | 2 | after Ctrl-C, the program's node leaves the graph |
 #
-# **Not judged:** SIGTERM, topics, the wording of the guard's log messages on its rounds, and how often the guard parks.
+# **Not judged:** SIGTERM, topics, the wording of the messages that the guard logs on its rounds, and how many times it
+# parks its arms.
 # %% [answer]
 """Simulate a guard that walks through the museum at night, and parks its arms when the night is over."""
 
@@ -118,7 +120,7 @@ if __name__ == "__main__":
 # - Code in `finally` runs after the `except` block. It also runs after any other exception.
 # - On Ctrl-C, rclpy shuts the context down on its own, at about the same time as Python raises the exception. After
 #   that, `rclpy.shutdown()` would raise an exception, but `rclpy.try_shutdown()` doesn't.
-# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays in the graph.
+# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays on the graph.
 # %% [hint]
 # ```python
 # rclpy.init(args=args)

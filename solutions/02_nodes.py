@@ -12,50 +12,51 @@
 # out_of_scope:
 #   - the images' content, and real cameras
 #   - launch files, and remapping single topics
-#   - how spin and executors work (lesson 06); the program does this for you
+#   - how spin and executors work (lesson 06); the given main() takes care of both
 # ---
 # %% [markdown]
 # # Exercise 02 · Eyes in the back of the head
 #
-# Your humanoid sees only the area in front of it. So people who walk up from behind startle it, or it startles them.
-# That's why it's getting a second camera, in the back of its head. The second camera is the same model as the first,
-# and the manufacturer's driver always calls its node `camera`. There's no point in editing the driver, because its next
-# update would overwrite your change. But the two nodes need different names, and both names must show which robot they
-# belong to.
+# Your humanoid sees only the area in front of it. So when people walk up from behind, they startle it, or it startles
+# them. That's why it's getting a second camera, in the back of its head. The second camera is the same model as the
+# first, and the manufacturer's driver always calls its node `camera`. There's no point in editing the driver, because
+# its next update would overwrite your change. But the two nodes need different names, and each name must show which
+# robot its node belongs to.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [02](../notebooks/02_nodes.ipynb).
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
+# [02](../notebooks/02_nodes.ipynb).
 #
 # ## What to build
 #
-# Create two nodes from the class `CameraDriver`, in one program:
+# Write one program that creates two nodes from the class `CameraDriver`:
 #
-# | node | its images, 2 Hz | its fault reports, 1 Hz |
+# | node | publishes images (2 Hz) on | publishes fault reports (1 Hz) on |
 # |---|---|---|
 # | `/robot/camera` | `/robot/camera/frame` | `/robot/faults` |
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
-# The topic names follow from the names of the two nodes, because the driver uses private and relative names. Both
-# cameras publish their reports to the same topic, so each report begins with its camera's name: `rear_camera: none`.
-# Write all of your code in `make_cameras`. The class and `main` need no changes.
+# The driver uses private and relative topic names, so the topic names follow from the names of the two nodes. Both
+# cameras publish their reports on the same topic, so each report begins with its camera's name, as in
+# `rear_camera: none`. Write all of your code in `make_cameras`. The class and `main` need no changes.
 #
 # ## What is judged
 #
-# Your program runs in its own process. The judge reads the graph and the topics from another process. A rate may be
-# {{rates.RATE_TOLERANCE %}} higher or lower than specified, and no gap may be longer than {{rates.LONGEST_GAP_PERIODS}}
-# periods.
+# Your program runs in its own process, and the judge inspects the graph and the topics from another process. Each rate
+# may be up to {{rates.RATE_TOLERANCE %}} higher or lower than specified, and no gap between two messages may be longer
+# than {{rates.LONGEST_GAP_PERIODS}} periods.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/robot/camera` is on the graph, once |
-# | 2 | `/robot/rear_camera` is on the graph, once |
-# | 1 | images from the front camera arrive at 2 Hz |
-# | 2 | images from the rear camera arrive at 2 Hz |
-# | 1 | both report on `/robot/faults`, each once a second |
-# | 2 | no other node is on the graph: no duplicate, no third node, none outside of `/robot` |
-# | 1 | the program is still running when the judge stops watching |
+# | 1 | `/robot/camera` is on the graph exactly once |
+# | 2 | `/robot/rear_camera` is on the graph exactly once |
+# | 1 | the front camera's images arrive at 2 Hz |
+# | 2 | the rear camera's images arrive at 2 Hz |
+# | 1 | each camera's fault reports arrive on `/robot/faults` once a second |
+# | 2 | there are no other nodes on the graph: no duplicates, no third node, and no node outside `/robot` |
+# | 1 | the program is still running at the end |
 #
 # **Not judged:** the content of the images, launch files, how your program ends, and the driver's code. The judge
-# sees only what the driver does, not whether you changed or copied it.
+# checks only the driver's behavior, not whether you changed or copied its code.
 # %% [answer]
 """Run two cameras on one robot, front and rear, with the same driver."""
 
@@ -132,8 +133,8 @@ if __name__ == "__main__":
 # %% [hint]
 # - `CameraDriver(...)` passes all of its keyword arguments to `Node`, which accepts `namespace=` and `cli_args=`.
 # - `cli_args` is a list of the words that you would type in a terminal: first `"--ros-args"`, then `"-r"`, then the
-#   rule.
-# - The rule for a node's name is `__node:=new_name`, with two underscores, `:=`, and no spaces. The new name has no
+#   remapping rule.
+# - The remapping rule for a node's name is `__node:=new_name`, with two underscores, `:=`, and no spaces. The new name has no
 #   slash, because `namespace=` sets everything before the name.
 # - Put every node that you create into the returned list. Otherwise, no executor spins it.
 #
@@ -158,6 +159,6 @@ if __name__ == "__main__":
 #   MB.
 # - **A context per camera,** each with its own arguments. Use this for classes that accept only a context.
 # - **A subclass that calls `super().__init__(...)` with different settings.** This works, and the subclass can have a
-#   descriptive name. But it can't change the word "camera" either, so it still needs `cli_args`.
+#   descriptive name. But it can't change the word "camera", either, so it still needs `cli_args`.
 # - **Copy the class and edit the copy.** This works until the next update. After that, one camera runs an old version
 #   of the driver.

@@ -19,10 +19,10 @@
 # # Exercise 03 · A battery report that never lies
 #
 # Last night, the guide robot drove home in the middle of a tour. Its log reported a charge of 64%, but its battery
-# topic reported 0.0. A new driver had returned the charge as an `int`, and the node had put that `int` into a float
-# field. In this course's ROS build, the node then publishes 0.0; with the ROS packages for Ubuntu, it may crash. This
-# morning, a cable came loose, so the driver returned `None`, and the node published 0.0 again. So the staff couldn't
-# distinguish a bug from an empty battery.
+# topic reported 0.0. The battery's new driver software had returned the charge as an `int`, and the node had put that
+# `int` into a float field. With this course's ROS build, a node that does this publishes 0.0; with the ROS packages for
+# Ubuntu, it may crash. This morning, a cable came loose, so the driver returned `None`, and the node published 0.0
+# again. As a result, the staff couldn't tell a bug from an empty battery.
 #
 # Rewrite the node so that `/robot/battery` carries only values that were actually measured.
 #
@@ -34,47 +34,47 @@
 # | part | description |
 # |---|---|
 # | class | `BatteryPublisher`, a `Node` that is created without arguments |
-# | topic | `/robot/battery`, type `Float32` of `std_msgs.msg` |
-# | method | `publish_level(level)`: publishes one message, before it returns, with the charge in percent |
+# | topic | `/robot/battery`, type `Float32` from `std_msgs.msg` |
+# | method | `publish_level(level)`, which publishes one message, containing the charge in percent, before it returns |
 #
-# `level` is the driver's return value:
+# `level` is the value that the battery driver returned:
 #
-# | given | for example | your method |
+# | `level` is | for example | your method |
 # |---|---|---|
-# | a float | `87.25`, `0.1`, and `0.0` for an empty battery | publishes it |
-# | another number, of a Python or NumPy type | `64`, `np.float32(12.5)`, `np.float64(33.25)`, `np.int64(7)` | publishes that number as a float |
+# | a float | `87.25`, `0.1`, or `0.0` for an empty battery | publishes it |
+# | any other Python or NumPy number | `64`, `np.float32(12.5)`, `np.float64(33.25)`, `np.int64(7)` | publishes that number as a float |
 # | not a number | `None`, `'full'`, `[50.0]` | raises an error and publishes nothing |
-# | a value that only looks like a number | `True`, and `'50'`, which is a string | raises an error and publishes nothing |
-# | no measurement | `nan`, `inf`, `-inf`, also in one of NumPy's types | raises an error and publishes nothing |
+# | a value that only looks like a number | `True`, or the string `'50'` | raises an error and publishes nothing |
+# | a float that can't be a measurement | `nan`, `inf`, or `-inf`, from Python or NumPy | raises an error and publishes nothing |
 #
 # Each call is independent of earlier calls. Publish a number even if you published the same number before. After an
-# error, publish the next number as usual. A call may come only a few milliseconds after the previous one.
+# error, publish the next number as usual. A call may follow the previous one after only a few milliseconds.
 #
 # You choose which error to raise. The usual choices are `TypeError` for a wrong type and `ValueError` for a wrong
 # value.
 #
 # ## What is judged
 #
-# A test program imports your file and creates one `BatteryPublisher`. (The feedback calls this program the driver; it
-# isn't the battery driver.) It calls `publish_level` with {{COUNT}} values, one after another. They include the values
-# above and similar ones, and some values occur more than once. The test program records whether each call returned or
-# raised an error. It also records whether anything was published before the first call. The judge compares this record
-# with the messages on the topic. rclpy doesn't check the types of fields here, because ROS turns these checks off by
-# default.
+# A test program imports your file and creates one `BatteryPublisher`. (In the feedback, *the driver* means this test
+# program, not the battery driver.) The test program calls `publish_level` with {{COUNT}} values, one after another.
+# These are values like the ones above, and some of them occur more than once. For each call, the test program records
+# whether the call returned or raised an error. It also records whether anything was published before the first call.
+# The judge compares these records with the messages on the topic. During the test, rclpy doesn't check the types of
+# fields, because these checks are off by default.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/robot/battery` carries `Float32` |
-# | 2 | floats arrive within {{TOLERANCE}}, each only once |
+# | 1 | `/robot/battery` carries `Float32` messages |
+# | 2 | each float arrives exactly once, accurate to within {{TOLERANCE}} |
 # | 1 | a measured `0.0` arrives |
-# | 2 | other numbers arrive as the same number, within {{TOLERANCE}} |
-# | 1 | `None`, words, a list, and a tuple are refused with an error |
-# | 1 | bools and strings such as `'50'` are refused with an error |
-# | 1 | `nan`, `inf`, and `-inf` are refused with an error |
+# | 2 | any other number arrives exactly once, accurate to within {{TOLERANCE}} |
+# | 1 | for `None`, a word, a list, or a tuple, the method raises an error and publishes nothing |
+# | 1 | for a bool or a string such as `'50'`, the method raises an error and publishes nothing |
+# | 1 | for `nan`, `inf`, or `-inf`, the method raises an error and publishes nothing |
 # | 1 | no `0.0` is published by mistake |
 #
 # **Not judged:** timers, charges below 0 or above 100, bytes, other kinds of numbers (`Decimal`, `Fraction`,
-# `complex`), and NumPy's bools, strings, and arrays. Starting and ending the program isn't judged either. There's no
+# `complex`), and NumPy's bools, strings, and arrays. How the program starts and ends isn't judged, either. There's no
 # `main()`, because other code creates and spins your node.
 # %% [answer]
 """Publish a battery's charge, and refuse every value that isn't a number."""
@@ -182,8 +182,8 @@ class BatteryPublisher(Node):
 # - **Use `functools.singledispatchmethod`.** You write one method per type, and one that raises an error for
 #   everything else. This is useful if each type needs different code. Here, all of them need the same code.
 # - **Ask for forgiveness.** Call `charge = float(level)` in a `try`, and refuse only `str` and `bool` yourself. This
-#   is shorter. But you have to list everything that you don't want, and you'll forget something: `float()` reads
-#   bytes, too.
+#   is shorter. But you have to list every type that you don't want, and it's easy to forget one: `float()`
+#   parses bytes, too.
 # - **Use `Float32(data=float(level), check_fields=True)`.** This turns on field checks for one message, wherever the
 #   program runs. The checks catch a wrong type and a number too large for 32 bits. But they accept nan, and after
 #   `float()`, the type is always correct.

@@ -11,7 +11,7 @@
 #   - passing messages on in the order in which they arrived
 #   - reacting once, and only once, to an impossible value
 # out_of_scope:
-#   - timers and rates; the node acts only when a message comes
+#   - timers and rates; the node acts only when a message arrives
 #   - guessing what a bad reading should have been
 #   - how the program ends (lesson 01 judges that)
 # ---
@@ -19,11 +19,11 @@
 # # Exercise 04 · A battery monitor
 #
 # The guide robot has a new battery sensor and a bad cable. Most readings are correct. But when the cable shakes, the
-# sensor publishes a charge that no battery can have. Last week, the robot acted on one of these readings and lay down
-# in the middle of the hall. The cable can't be replaced until spring. Until then, a monitor has to filter the readings:
-# it passes on the good ones and raises an alarm for each bad one. The robot's other programs then subscribe to your
-# monitor instead of the sensor. A second robot with the same kind of sensor works in the same hall. Your monitor must
-# ignore that robot's sensor.
+# sensor publishes a reading that no battery could produce. Last week, the robot acted on one of these readings and lay
+# down in the middle of the hall. The cable can't be replaced until spring. Until then, a monitor has to filter the
+# readings: it passes on the good ones and raises an alarm for each bad one. The robot's other programs will subscribe
+# to your monitor's topics instead of the sensor's. A second robot with the same kind of sensor works in the same hall.
+# Your monitor must ignore that robot's sensor.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [04](../notebooks/04_subscriptions_and_callbacks.ipynb).
@@ -34,14 +34,14 @@
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/robot/battery` | `Float32` | subscribes | charge in percent, about ten times a second, sometimes four at the same moment |
-# | `/monitor/battery` | `Float32` | publishes | each good reading: the same number, right away (within {{AT_ONCE_S}} s), in the same order |
-# | `/monitor/alarm` | `String` | publishes | one text for each bad reading, with its value in it, such as `bad reading: -3.0`; one decimal is enough |
+# | `/robot/battery` | `Float32` | subscribes | charge in percent: about ten readings a second, sometimes four at almost the same moment |
+# | `/monitor/battery` | `Float32` | publishes | each good reading, unchanged, within {{AT_ONCE_S}} s, and in the order of arrival |
+# | `/monitor/alarm` | `String` | publishes | one message for each bad reading, with the reading's value in its text, as in `bad reading: -3.0`; one decimal place is enough |
 #
-# | a reading is | when | your node |
+# | a reading is | if | your node |
 # |---|---|---|
-# | good | it is from 0 to 100 %, both included, no matter what came before it | passes it on, raises no alarm |
-# | bad | it is anything else: below 0, above 100 (`inf`, too), or not a number (`nan`) | does not pass it on, raises one alarm |
+# | good | it's from 0 to 100 %, inclusive, no matter what the previous readings were | passes it on and raises no alarm |
+# | bad | it's below 0, above 100 (including `inf`), or not a number (`nan`) | raises one alarm and doesn't pass the reading on |
 #
 # All message types are from `std_msgs.msg`.
 #
@@ -53,20 +53,19 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it subscribes to `/robot/battery`, with the type `Float32` |
-# | 1 | `/monitor/battery` carries `Float32` |
-# | 2 | all good readings are passed on, right away, in the right order |
-# | 1 | no bad reading is passed on, nor anything in its place |
-# | 1 | `/monitor/alarm` carries `String` |
-# | 2 | one alarm for each bad reading, with its value |
-# | 1 | no alarm for good readings |
-# | 1 | it ignores `/other_robot/battery` |
+# | 1 | the program subscribes to `/robot/battery` with the type `Float32` |
+# | 1 | `/monitor/battery` carries `Float32` messages |
+# | 2 | every good reading is passed on within {{AT_ONCE_S}} s, and in the order of arrival |
+# | 1 | for a bad reading, `/monitor/battery` carries neither the reading nor a substitute |
+# | 1 | `/monitor/alarm` carries `String` messages |
+# | 2 | each bad reading raises exactly one alarm, which contains the reading's value |
+# | 1 | good readings raise no alarm |
+# | 1 | the program ignores `/other_robot/battery` |
 #
 # You may structure the program any way you like: with a class, a function as the callback, two nodes, or a different
-# executor. On a busy machine, up to one good reading in ten may take longer than {{AT_ONCE_S}} s.
+# executor. Because the machine may be busy, up to one good reading in ten may take longer than {{AT_ONCE_S}} s.
 #
-# **Not judged:** rates, how quickly an alarm is raised, repairing bad readings, and how your program ends on
-# Ctrl-C.
+# **Not judged:** publishing rates, how soon an alarm follows a bad reading, and how your program ends on Ctrl-C.
 # %% [answer]
 """Check a battery sensor's readings: pass on good ones, and raise an alarm for bad ones."""
 

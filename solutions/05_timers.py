@@ -29,32 +29,33 @@
 #
 # | topic | type | rate | content |
 # |---|---|---:|---|
-# | `/robot/heartbeat` | `String` | 1 Hz | a sign of life: any text, for example `alive`, but not an empty one |
+# | `/robot/heartbeat` | `String` | 1 Hz | a sign of life: any nonempty text, such as `alive` |
 # | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
-# | `/robot/tilt` | `Float32` | 5 Hz | how far the body leans, in rad |
+# | `/robot/tilt` | `Float32` | 5 Hz | the body's tilt in rad |
 #
 # All message types are from `std_msgs.msg`. The starter code already publishes the heartbeat. You add the battery and
 # the tilt. You can choose their values, as long as they are floats. (With this course's ROS build, an `int` arrives as
-# 0.0; with the ROS packages for Ubuntu, it may crash the node.) Only the rates are judged.
+# 0.0; with the ROS packages for Ubuntu, it may crash the node.) Otherwise, the values aren't judged.
 #
 # ## What is judged
 #
-# Your program runs as its own process for one minute of simulated time, which takes a few real seconds. The judge
-# counts every message. Each count may be off by one message at the start or end of the minute. *Evenly* means that
-# consecutive messages come about one period apart, and never more than one and a half periods apart. The mean interval
-# may differ from the period by at most {{rates.MEAN_TOLERANCE %}}, and the median interval by a tenth. If your program
-# uses the real clock instead, the judge counts its messages for at least 8.5 s of real time. In that case, it judges
-# only the longest interval and the median interval.
+# Your program runs in its own process for one minute of simulated time, which takes a few real seconds. The judge
+# counts the messages on each topic. A count may be off by one, because a message can fall just inside or just outside
+# the minute. *Evenly spaced* means that consecutive messages arrive about one period apart, and never more than one and
+# a half periods apart. The mean interval may differ from the period by at most {{rates.MEAN_TOLERANCE %}}, and the
+# median interval by at most {{rates.INTERVAL_TOLERANCE %}}. If your program uses the real clock instead of simulated
+# time, the judge counts its messages for at least 8.5 s of real time. In that case, it judges only the longest interval
+# and the median interval.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/robot/heartbeat` exists and carries `String` |
-# | 2 | 60 heartbeats in the minute, evenly |
-# | 1 | `/robot/battery` exists and carries `Float32` |
-# | 2 | 30 battery reports in the minute, evenly |
-# | 1 | `/robot/tilt` exists and carries `Float32` |
-# | 2 | 300 tilt values in the minute, evenly |
-# | 1 | the program is still running when the judge stops watching |
+# | 1 | `/robot/heartbeat` exists and carries `String` messages |
+# | 2 | 60 evenly spaced heartbeats in the minute |
+# | 1 | `/robot/battery` exists and carries `Float32` messages |
+# | 2 | 30 evenly spaced battery reports in the minute |
+# | 1 | `/robot/tilt` exists and carries `Float32` messages |
+# | 2 | 300 evenly spaced tilt values in the minute |
+# | 1 | the program is still running at the end |
 #
 # You may structure the program any way you like: with three timers, one timer and a counter, several nodes, or a
 # different executor.
@@ -140,8 +141,8 @@ if __name__ == "__main__":
     main()
 # %% [hint]
 # The starter code's heartbeat already has every part that you need: a publisher, a timer, and a method that publishes.
-# Look at these three parts. How do they differ for each new topic? Watch the units: the task gives messages per second,
-# but a timer needs the seconds between two messages.
+# What has to change in each part for a new topic? Watch the units: the task gives messages per second, but a timer
+# needs the seconds between two messages.
 #
 # Nodes, topics, and more: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]

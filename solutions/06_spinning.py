@@ -23,41 +23,47 @@
 # that call doesn't return. Instead, it needs a function that *spins a node for a given number of seconds and then
 # returns*. The function is called `pump`, because it keeps callbacks flowing, the way a pump keeps water flowing.
 #
-# **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [06](../notebooks/06_spinning.ipynb).
+# **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
+# [06](../notebooks/06_spinning.ipynb).
 #
 # ## What to build
 #
 # Write one function, `pump(node, seconds)`. It must not create a node or call `rclpy.init`, because the test stand does
 # both.
 #
-# | | what `pump` does |
+# | when | what happens |
 # |---|---|
-# | until the time is up | runs every callback of `node` that's ready, for timers and subscriptions |
-# | when the time is up | returns, but not before that; a callback that's running is finished first, so it may be late by one callback |
-# | while no callback is ready | waits without using the processor |
-# | after it has returned | leaves nothing running and the node unchanged, so that you can call `pump` again |
+# | until the time is up | `pump` runs each of the node's timer and subscription callbacks when it's ready |
+# | while no callback is ready | `pump` waits without using the processor |
+# | when the time is up | `pump` returns, and never earlier; if a callback is running, `pump` lets it finish first, so the return may be late by that callback's duration |
+# | after the call | nothing that `pump` started is still running, and the node is unchanged, so that you can call `pump` again |
 #
 # ## What is judged
 #
 # A test program, the driver, imports your file and calls `pump` eight times, for {{ASKED_S.5}} s to {{ASKED_S.1}} s
-# each. It uses three robots. The first one publishes a heartbeat (10 Hz), looks around (2 Hz), repeats each word that
-# it receives, and runs slow jobs ({{JOB_S}} s each). The second robot is quiet: it has no timer, and it receives four
-# words, two of them shortly before `pump` is due to return. The third robot has only slow jobs. Each robot publishes a
-# message whenever it does something. For each call, the driver reports when the call began and ended, and any changes
-# that the call made to the node. The driver also reports whether a thread that the call started is still running
-# afterward. (A pool thread that only waits for work doesn't count.)
+# each. It uses three robots:
+#
+# - The first robot publishes a heartbeat (10 Hz), looks around (2 Hz), repeats each word that it receives, and runs
+#   slow jobs ({{JOB_S}} s each).
+# - The second robot is quiet. It has no timers, and it receives four words, two of them shortly before `pump` is due to
+#   return.
+# - The third robot has only slow jobs.
+#
+# Each robot publishes a message whenever it does something. For each call, the driver reports the start time, the end
+# time, and any changes that the call made to the node. The driver also reports whether any thread that the call started
+# is still running afterward. (An idle thread in a thread pool doesn't count.)
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `pump` returns |
-# | 1 | after {{ASKED_S.1}} s when asked for {{ASKED_S.1}} s: at most {{EARLY_S}} s earlier, at most {{LATE_S}} s later in the median of its calls |
-# | 2 | each of the {{BURST_WORDS}} words that come in a burst is handled during the call |
-# | 1 | the timers keep their rate during the call: {{LEAST_SHARE %}} of the heartbeats or more, no silence over {{LONGEST_SILENCE_S}} s |
-# | 1 | further calls work, too: the second call handles the words that waited in the queue, and the short calls run callbacks, too |
-# | 1 | a queue of slow jobs delays its return by at most one job ({{JOB_S}} s) and {{LATE_S}} s |
-# | 1 | it returns in time ({{LATE_S}} s) from the quiet robot, too, and handles its words |
-# | 1 | it uses less than {{PROCESSOR_SHARE %}} of a processor with the quiet robot, and less than {{SHARE_WITH_TIMERS %}} with the one that has timers |
-# | 1 | between two calls no callback and no thread of `pump` runs; the node has the same timers, periods, subscriptions, guard conditions and parameters |
+# | 1 | `pump` returns when the time is up: `pump(node, {{ASKED_S.1}})` after {{ASKED_S.1}} s. No call returns more than {{EARLY_S}} s early, and the median delay of the first robot's calls is at most {{LATE_S}} s |
+# | 2 | all {{BURST_WORDS}} words that arrive in a burst are handled during the call |
+# | 1 | the timers keep their rate during the call: at least {{LEAST_SHARE %}} of the heartbeats are published, with no gap longer than {{LONGEST_SILENCE_S}} s |
+# | 1 | later calls work, too: the second call handles the words that were waiting in the queue, and even the short calls run callbacks |
+# | 1 | with a queue of slow jobs, `pump` returns late by at most the duration of one job ({{JOB_S}} s) plus {{LATE_S}} s |
+# | 1 | with the quiet robot, `pump` also returns on time (at most {{EARLY_S}} s early or {{LATE_S}} s late) and handles the robot's first two words |
+# | 1 | `pump` uses less than {{PROCESSOR_SHARE %}} of a CPU core with the quiet robot, and less than {{SHARE_WITH_TIMERS %}} with the first robot, which has timers |
+# | 1 | between calls, no callback and no thread that `pump` started is running; the node still has the same timers, periods, subscriptions, guard conditions, and parameters |
 #
 # **Not judged:** interrupting a running callback, multithreading, callbacks that raise exceptions, and simulated time.
 # (`seconds` is measured in real time, and the robots' clocks show real time, too.)

@@ -7,7 +7,7 @@
 # clock: simulated
 # objectives:
 #   - annotating a node so that mypy --strict reports nothing
-#   - giving a publisher a type, so that mypy reports a wrong message before the robot runs
+#   - giving a publisher a type, so that mypy finds a message of the wrong type before the robot runs
 #   - listing the allowed words with Literal
 #   - checking values at run time, when type hints have no effect
 # out_of_scope:
@@ -25,7 +25,8 @@
 # that misuse can't go unnoticed. If the other teams check their code with mypy, mypy must report the misuse. If they
 # don't, the node itself must raise an exception.
 #
-# **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [07](../notebooks/07_typed_nodes.ipynb).
+# **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
+# [07](../notebooks/07_typed_nodes.ipynb).
 #
 # ## What to build
 #
@@ -33,14 +34,14 @@
 #
 # | in `RobotReport` | accepts | does |
 # |---|---|---|
-# | `battery_publisher` | has `publish`, for a `Float32` and nothing else | publishes on `/robot/battery` |
-# | `status_publisher` | has `publish`, for a `String` and nothing else | publishes on `/robot/status` |
-# | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | publishes it as a float; raises an exception for anything else and publishes nothing |
-# | `send_status(word)` | exactly `"operational"` or `"error"` | publishes it; raises an exception for anything else and publishes nothing |
+# | `battery_publisher.publish` | a `Float32` message and nothing else | publishes it on `/robot/battery` |
+# | `status_publisher.publish` | a `String` message and nothing else | publishes it on `/robot/status` |
+# | `send_battery(level)` | a number, such as `55.25`, `42`, or `0.0` | publishes the number as a float; for anything else, raises an exception and publishes nothing |
+# | `send_status(word)` | exactly `"operational"` or `"error"` | publishes the word; for anything else, raises an exception and publishes nothing |
 #
-# The node still publishes its own reports: the battery at 1 Hz and the status at 0.5 Hz, each within
-# {{rates.RATE_TOLERANCE %}}. No gap on either topic may be longer than one and a half periods. Calls from other teams
-# must not change the charge or the status that the node itself reports.
+# The node must still publish its own reports: the battery at 1 Hz and the status at 0.5 Hz. Each rate may be off by up
+# to {{rates.RATE_TOLERANCE %}}, and no gap between two reports may be longer than one and a half periods. Calls from
+# other teams must not change the charge or the status that the node itself reports.
 #
 # ## What is judged
 #
@@ -50,23 +51,23 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the node reports as before |
-# | 2 | mypy --strict finds nothing in your program |
-# | 2 | mypy objects to a message of the wrong type |
-# | 1 | mypy objects to a value of the wrong type, to any other word, and to a call without a value |
-# | 1 | each call with a number publishes that number once, including a whole number, `0.0`, and the same number again |
-# | 2 | at run time, a wrong value or message raises an exception, without a message |
-# | 1 | at run time, the two words are published, also as messages of `status_publisher`; any other word raises an exception and isn't published |
+# | 1 | the node publishes its own reports as before |
+# | 2 | `mypy --strict` reports no errors in your program |
+# | 2 | mypy objects if a publisher is passed a message of the wrong type |
+# | 1 | mypy objects to a value of the wrong type, to any word except the two allowed ones, and to a call without a value |
+# | 1 | each call with a number publishes that number exactly once, even if it's a whole number, `0.0`, or the same number as before |
+# | 2 | at run time, a value or a message of the wrong type raises an exception and isn't published |
+# | 1 | at run time, `send_status` and `status_publisher` publish both allowed words; for any other word, `send_status` raises an exception and publishes nothing |
 #
-# The judge ignores `# type: ignore`, and you may not write `Any`: both only hide errors from mypy.
+# The judge ignores `# type: ignore` comments, and you may not use `Any`, because both would just hide errors from mypy.
 #
 # **Not judged:**
 #
 # - subscriptions, services, parameters, and how the program ends on Ctrl-C
 # - `True`, `nan`, and NumPy numbers (exercise 03 covered those), and charges below 0 or above 100. You decide what
 #   happens to them.
-# - your `main()`. The judge creates a `RobotReport` itself. It watches for only {{plan.simulated_s}} s, so it doesn't
-#   matter if the battery runs out later.
+# - your `main()`. The judge creates a `RobotReport` itself. It watches the node for only {{plan.simulated_s}} s, so it
+#   doesn't matter if the battery runs out later.
 # %% [answer]
 """Report a humanoid's battery and status. Other code publishes through this node, too, so it checks types."""
 
@@ -219,10 +220,10 @@ if __name__ == "__main__":
 # The types that mypy understands: [typing, in Python's documentation](https://docs.python.org/3/library/typing.html)
 # %% [hint]
 # - To mypy, an rclpy publisher accepts every message. So don't annotate your attribute as a `Publisher`. Describe what
-#   you need: an object with a `publish` method for one type. That's a `Protocol`, as in the lesson. One for each
-#   message type is enough.
-# - To cover all message types together, write a function with `kind: type[Message]` that returns `Sends[Message]`
-#   (optional notebook 07, deeper).
+#   you need: an object with a `publish` method for one type. That's a `Protocol`, as in the lesson. One `Protocol`
+#   for each message type is enough.
+# - To cover all message types with one function, let it take `kind: type[Message]` and return `Sends[Message]`
+#   (see the optional notebook 07, deeper).
 # - To allow two words and no others, use `Literal["operational", "error"]`. `get_args` returns the words at run time.
 # - The hint `float` also accepts `42`. Without a conversion, the message would contain 0.0, or, with the Ubuntu
 #   packages, the program might crash. But `float(level)` also accepts the string `"87.5"`. So check first
@@ -265,7 +266,7 @@ if __name__ == "__main__":
 #   rejects an int, so convert first. The exception is an AssertionError, and `python -O` switches the check off. Your
 #   own `raise` always works.
 # - **Use an Enum for the words,** `class Status(StrEnum)`. The words are then available at run time, too. Callers must
-#   write `Status.ERROR`, because mypy reports a plain `"error"` as an error. In this task, callers write plain words.
+#   write `Status.ERROR`, because mypy rejects a plain `"error"`. In this task, callers write plain words.
 # - **Newer Python, newer ROS.** In Python 3.12 and later, you can write `class Sends[M](Protocol)`, without type
 #   variables. In newer ROS versions, `Publisher` itself is generic, and `Publisher[Float32]` does the job of
 #   `Sends[Float32]`.

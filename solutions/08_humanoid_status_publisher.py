@@ -31,38 +31,39 @@
 # | topic | type | rate | content |
 # |---|---|---|---|
 # | `/robot/status` | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
-# | `/robot/battery` | `Float32` | 0.5 Hz | percent, starting at 100, never below 0, never rising |
+# | `/robot/battery` | `Float32` | 0.5 Hz | the charge in percent, which starts at 100, never rises, and never falls below 0 |
 #
 # On Ctrl-C, the program ends with exit code 0 and without a traceback.
 #
 # ## What is judged
 #
-# Your program runs in its own process for {{plan.simulated_s}} s of simulated time. The judge checks the messages that your
-# program publishes, and how the program ends after the signal that Ctrl-C sends.
+# Your program runs in its own process for {{plan.simulated_s}} s of simulated time, while the judge checks the messages
+# that it publishes. Then the judge sends SIGINT, the signal that Ctrl-C sends, and checks how the program ends.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/robot/battery` carries `Float32` |
-# | 2 | the charge really arrives: 100 % at first, or 100 % minus one step, then falling, and never below 0 |
-# | 2 | the battery is published at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` is unchanged: `String`, 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), and the word that fits the charge |
-# | 1 | the program runs until it is told to end |
-# | 3 | Ctrl-C ends it with exit code 0 and no traceback |
+# | 1 | `/robot/battery` carries `Float32` messages |
+# | 2 | the published charge is correct: it starts at 100 %, or one drain step lower, then falls, and never drops below 0 |
+# | 2 | the charge is published at a steady 0.5 Hz (0.4 to 0.6 Hz, no gap over 3 s) |
+# | 1 | `/robot/status` works as before: `String` messages at 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), with the word that matches the charge |
+# | 1 | the program keeps running until Ctrl-C |
+# | 3 | Ctrl-C ends the program with exit code 0 and no traceback |
 #
-# First, run the program below without changing it. The dashboard shows two of the problems, and `%check` shows the
-# third. You may fix the three bugs in place or rewrite the program.
+# First, run the program below without changing it. The dashboard under *Watch it run* shows two of the problems, and
+# `%check` shows the third. You may fix the three bugs in place or rewrite the program.
 #
-# The program simulates an old battery that runs out within half a minute, so that the judge also sees the status
-# change. The status may change to `error` right after the last charge above 0 is published. It must have changed by the
-# time the battery topic reports 0 for the second time.
+# The program simulates an old battery that runs out within half a minute, so that the status changes while the judge
+# is watching. The status may change to `error` as soon as the last charge above 0 has been published. It must have
+# changed by the time the battery topic reports 0 for the second time.
 #
-# The charge may fall in unequal steps, and you may round it. So the first charge that arrives may be below 100 %, by up
-# to {{batteries.ROUNDING}} % plus one and a half times the largest step. If your program uses the real clock instead,
-# the judge may miss the first messages. In that case, the first charge that it sees may be below 100 %, by up to
-# {{batteries.ROUNDING}} % plus four times the largest step.
+# The charge may fall in unequal steps, and you may round it. So the judge allows the first charge to be below 100 % by
+# as much as {{batteries.ROUNDING}} % plus one and a half times the largest step. If your program uses the real clock
+# instead of simulated time, the judge may miss the first messages. In that case, the first charge that the judge
+# receives may be below 100 % by as much as {{batteries.ROUNDING}} % plus four times the largest step.
 #
-# **Not judged:** new topics, real batteries, signals other than the one that Ctrl-C sends, your log messages, and how
-# fast the battery drains. (If your battery lasts longer than the judge watches, the judge never sees it run out.)
+# **Not judged:** additional topics, reading a real battery, signals other than the one that Ctrl-C sends, your log
+# messages, and how fast the battery drains. (Your battery may last longer than the judge watches. Then the judge just
+# never sees it run out.)
 # %% [answer]
 """Simulate a humanoid robot that publishes its status once a second and its battery charge every two seconds."""
 
@@ -163,9 +164,9 @@ if __name__ == "__main__":
 #   argument, `round` returns a different type.)
 # - **Too busy.** `create_timer` takes a *period* in seconds, but the comment next to the number gives a *frequency*.
 #   The period is 1 divided by the frequency.
-# - **The crash.** On Ctrl-C, rclpy shuts the context down on its own. Which call does the program make on the context
-#   after that? rclpy has another function that raises no exception in this case; its name begins with `try_`. And
-#   `spin` may raise another exception: `rclpy.executors.ExternalShutdownException`.
+# - **The crash.** On Ctrl-C, rclpy shuts the context down on its own. Which function does the program then call, even
+#   though the context is already shut down? rclpy has another function that raises no exception in this case; its name
+#   begins with `try_`. And `spin` may raise another exception: `rclpy.executors.ExternalShutdownException`.
 #
 # Field types and their Python types: [About
 # interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)

@@ -99,18 +99,18 @@ def program_runs(recording: Recording) -> Verdict:
     return see.passed("it runs") if is_up else see.program_runs(recording)
 
 
-@criterion(points=1, title="The program runs until it is told to end", needs=[program_runs])
+@criterion(points=1, title="The program keeps running until Ctrl-C", needs=[program_runs])
 def runs_until_told(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
 
 
-@criterion(points=1, title="The guard walks its rounds", needs=[runs_until_told])
+@criterion(points=1, title="The guard makes its rounds", needs=[runs_until_told])
 def walks_its_rounds(recording: Recording) -> Verdict:
     night = Night(recording)
     return ROUNDS.first(night) or see.passed(f"{see.count(night.lines, 'line')} in the log")
 
 
-@criterion(points=1, title="/night_guard is on the graph, once", needs=[runs_until_told])
+@criterion(points=1, title="/night_guard is on the graph exactly once", needs=[runs_until_told])
 def guard_on_the_graph(recording: Recording) -> Verdict:
     how = "Don't change the class NightGuard, don't remap anything, and don't give the node a namespace."
     verdict = see.on_the_graph(recording, NODE, how=how)
@@ -132,7 +132,7 @@ def arms_parked(recording: Recording) -> Verdict:
 
 @criterion(
     points=3,
-    title="Ctrl-C ends the program with exit code 0, without a traceback",
+    title="Ctrl-C ends the program with exit code 0 and no traceback",
     needs=[runs_until_told],
     about_end=True,
 )
@@ -148,7 +148,12 @@ def ends_cleanly(recording: Recording) -> Verdict:
     return verdict
 
 
-@criterion(points=2, title="Its node has left the graph", needs=[runs_until_told], about_end=True)
+@criterion(
+    points=2,
+    title="After Ctrl-C, the program's node leaves the graph",
+    needs=[runs_until_told],
+    about_end=True,
+)
 def node_gone(recording: Recording) -> Verdict:
     verdict = see.nodes_gone_at_end(recording)
     if verdict.ok or recording.process.signal != "SIGKILL":

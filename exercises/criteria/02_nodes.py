@@ -174,13 +174,13 @@ NO_REPORT = WORDS.rules(
 OTHER_RATE = WORDS.cause("shared-faults.other-rate", ("camera", "saw", "expected"))
 
 
-@criterion(points=1, title="/robot/camera is on the graph, once", needs=[program_runs])
+@criterion(points=1, title="/robot/camera is on the graph exactly once", needs=[program_runs])
 def front_node(recording: Recording) -> Verdict:
     how = "Write CameraDriver(namespace='/robot'). Rename only the other camera, with its cli_args."
     return see.on_the_graph(recording, FRONT, beside=[REAR], how=how)
 
 
-@criterion(points=2, title="/robot/rear_camera is on the graph, once", needs=[program_runs])
+@criterion(points=2, title="/robot/rear_camera is on the graph exactly once", needs=[program_runs])
 def rear_node(recording: Recording) -> Verdict:
     how = "Write CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
     return see.on_the_graph(
@@ -188,18 +188,20 @@ def rear_node(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="The front camera publishes images at 2 Hz", needs=[front_node])
+@criterion(points=1, title="The front camera's images arrive at 2 Hz", needs=[front_node])
 def front_pictures(recording: Recording) -> Verdict:
     return images_of(Camera(recording, FRONT, FRONT_FRAME))
 
 
-@criterion(points=2, title="The rear camera publishes images at 2 Hz", needs=[rear_node])
+@criterion(points=2, title="The rear camera's images arrive at 2 Hz", needs=[rear_node])
 def rear_pictures(recording: Recording) -> Verdict:
     return images_of(Camera(recording, REAR, REAR_FRAME))
 
 
 @criterion(
-    points=1, title="Both cameras report on /robot/faults, each once a second", needs=[front_node, rear_node]
+    points=1,
+    title="Each camera's fault reports arrive on /robot/faults once a second",
+    needs=[front_node, rear_node],
 )
 def shared_faults(recording: Recording) -> Verdict:
     topic = FaultsTopic(recording)
@@ -216,7 +218,7 @@ def shared_faults(recording: Recording) -> Verdict:
     return see.passed("each camera reports its faults once a second")
 
 
-@criterion(points=2, title="There is no other node", needs=[program_runs])
+@criterion(points=2, title="There are no other nodes on the graph", needs=[program_runs])
 def nobody_else(recording: Recording) -> Verdict:
     return OTHERS.first(Graph(recording)) or see.passed("no other node on the graph")
 

@@ -369,34 +369,34 @@ def sends(recording: Recording) -> Verdict:
     return COROUTINE.verdict(case) if NEVER_AWAITED in recording.process.log else blamed(case)
 
 
-@criterion(points=2, title="Each float arrives unchanged, and only once", needs=[sends])
+@criterion(points=2, title="Each float arrives unchanged, exactly once", needs=[sends])
 def floats_arrive(recording: Recording) -> Verdict:
     verdict = all_right(recording, FLOAT, f"all floats arrived within {see.number(TOLERANCE)}")
     facts = calls(recording)
     return UNCALLED.verdict(facts) if verdict.ok and facts.early else verdict
 
 
-@criterion(points=1, title="0.0 arrives if the battery is really empty", needs=[sends])
+@criterion(points=1, title="A measured 0.0 arrives", needs=[sends])
 def zero_arrives(recording: Recording) -> Verdict:
     return all_right(recording, EMPTY, "0.0 arrived as 0.0")
 
 
-@criterion(points=2, title="Other numbers arrive, too: ints and NumPy numbers", needs=[sends])
+@criterion(points=2, title="Each int and NumPy number arrives unchanged, exactly once", needs=[sends])
 def numbers_arrive(recording: Recording) -> Verdict:
     return all_right(recording, OTHER_NUMBER, "ints and NumPy numbers arrived with the right values")
 
 
-@criterion(points=1, title="None, strings, a list, and a tuple are rejected with an error", needs=[sends])
+@criterion(points=1, title="None, words, lists, and tuples are rejected with an error", needs=[sends])
 def no_number_refused(recording: Recording) -> Verdict:
     return all_right(recording, NO_NUMBER, "None, words, lists, and a tuple raised an error")
 
 
-@criterion(points=1, title="True and '50' are rejected, although float() accepts them", needs=[sends])
+@criterion(points=1, title="Bools and strings such as '50' are rejected with an error", needs=[sends])
 def look_alikes_refused(recording: Recording) -> Verdict:
     return all_right(recording, LOOK_ALIKE, "bools and strings of digits raised an error")
 
 
-@criterion(points=1, title="nan and inf are rejected, although they are floats", needs=[sends])
+@criterion(points=1, title="nan, inf, and -inf are rejected with an error", needs=[sends])
 def not_finite_refused(recording: Recording) -> Verdict:
     return all_right(recording, NOT_FINITE, "nan, inf, and -inf raised an error")
 

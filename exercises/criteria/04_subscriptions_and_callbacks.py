@@ -457,7 +457,9 @@ OTHER_REPORTED = WORDS.seen("own-robot-only.reported", Alarms)
 HEARS_OTHERS = WORDS.cause("own-robot-only.hears-others", ("saw",))
 
 
-@criterion(points=1, title="It subscribes to /robot/battery, with the type Float32", needs=[program_runs])
+@criterion(
+    points=1, title="The program subscribes to /robot/battery with the type Float32", needs=[program_runs]
+)
 def listens(recording: Recording) -> Verdict:
     return see.listens(recording, topic(BATTERY, Float32))
 
@@ -468,7 +470,7 @@ def battery_topic(recording: Recording) -> Verdict:
     return verdict if verdict.ok or not recording.topic(BATTERY).publishers else WRONG_TOPIC.verdict()
 
 
-@criterion(points=0, title="It forwards readings", needs=[listens, battery_topic])
+@criterion(points=0, title="The program forwards readings", needs=[listens, battery_topic])
 def passes_on(recording: Recording) -> Verdict:
     if see.values(recording, FORWARDED):
         return see.passed("readings arrive")
@@ -476,7 +478,9 @@ def passes_on(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=2, title="All good readings are forwarded, right away, in the right order", needs=[passes_on]
+    points=2,
+    title="Every good reading is forwarded right away and in the order of arrival",
+    needs=[passes_on],
 )
 def in_order(recording: Recording) -> Verdict:
     facts = forwarded(recording)
@@ -484,9 +488,9 @@ def in_order(recording: Recording) -> Verdict:
     return TOO_MANY.first(facts) or TOO_FEW.first(facts) or LATE.first(facts) or well
 
 
-@criterion(points=1, title="No bad reading is forwarded, nor anything in its place", needs=[passes_on])
+@criterion(points=1, title="Neither a bad reading nor a substitute is forwarded", needs=[passes_on])
 def bad_kept_back(recording: Recording) -> Verdict:
-    well = see.passed("no bad reading was forwarded, nor anything in its place")
+    well = see.passed("neither a bad reading nor a substitute was forwarded")
     return BAD_FORWARDED.first(forwarded(recording)) or well
 
 
@@ -495,7 +499,7 @@ def alarm_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, ALARM)
 
 
-@criterion(points=0, title="It raises alarms", needs=[listens, alarm_topic])
+@criterion(points=0, title="The program raises alarms", needs=[listens, alarm_topic])
 def alarms_come(recording: Recording) -> Verdict:
     facts = alarms(recording)
     if facts.all:
@@ -507,7 +511,7 @@ def alarms_come(recording: Recording) -> Verdict:
     return see.program_ended(recording, saw, expected) or cause.verdict(saw=saw, bad=len(facts.sent.bad))
 
 
-@criterion(points=2, title="One alarm for each bad reading, with its value", needs=[alarms_come])
+@criterion(points=2, title="Each bad reading raises exactly one alarm, with its value", needs=[alarms_come])
 def one_alarm(recording: Recording) -> Verdict:
     facts = alarms(recording)
     if facts.clues:
@@ -525,12 +529,12 @@ def one_alarm(recording: Recording) -> Verdict:
     return error or MISSED.verdict(facts)
 
 
-@criterion(points=1, title="No alarm for good readings", needs=[alarms_come])
+@criterion(points=1, title="Good readings raise no alarm", needs=[alarms_come])
 def no_false_alarm(recording: Recording) -> Verdict:
     return FALSE_ALARM.first(alarms(recording)) or see.passed("no alarm for a good reading")
 
 
-@criterion(points=1, title="It ignores /other_robot/battery", needs=[passes_on])
+@criterion(points=1, title="The program ignores /other_robot/battery", needs=[passes_on])
 def own_robot_only(recording: Recording) -> Verdict:
     readings, texts = forwarded(recording), alarms(recording)
     if readings.others or texts.others:

@@ -21,7 +21,7 @@ def heartbeat_topic(recording: Recording) -> Verdict:
     return see.has_text(recording, HEARTBEAT)
 
 
-@criterion(points=2, title="The heart beats at 1 Hz: 60 times a minute", needs=[heartbeat_topic])
+@criterion(points=2, title="The heartbeat is published at 1 Hz: 60 times a minute", needs=[heartbeat_topic])
 def heartbeat_count(recording: Recording) -> Verdict:
     return in_rhythm(recording, HEARTBEAT)
 
@@ -31,7 +31,7 @@ def battery_topic(recording: Recording) -> Verdict:
     return carries_floats(recording, BATTERY)
 
 
-@criterion(points=2, title="The battery reports at 0.5 Hz: 30 times a minute", needs=[battery_topic])
+@criterion(points=2, title="The charge is published at 0.5 Hz: 30 times a minute", needs=[battery_topic])
 def battery_count(recording: Recording) -> Verdict:
     return in_rhythm(recording, BATTERY)
 

@@ -328,7 +328,7 @@ def returns(recording: Recording) -> Verdict:
     return NEVER_RETURNS.verdict(first)
 
 
-@criterion(points=1, title="It returns when the time is up: not earlier, not later", needs=[returns])
+@criterion(points=1, title="pump returns when the time is up, neither early nor late", needs=[returns])
 def returns_in_time(recording: Recording) -> Verdict:
     run = facts(recording)
     first, second = run.first, run.second
@@ -341,7 +341,9 @@ def returns_in_time(recording: Recording) -> Verdict:
     return ALL_IN_TIME.first(run) or well
 
 
-@criterion(points=2, title="Every word of a burst is handled during the call", needs=[program_runs])
+@criterion(
+    points=2, title="All words that arrive in a burst are handled during the call", needs=[program_runs]
+)
 def words_handled(recording: Recording) -> Verdict:
     run = facts(recording)
     if sorted(run.handled) == sorted(run.burst):
@@ -356,7 +358,7 @@ def timers_tick(recording: Recording) -> Verdict:
     return TIMERS.first(call) or see.passed(told)
 
 
-@criterion(points=1, title="A second call works, too", needs=[returns, words_handled])
+@criterion(points=1, title="Later calls work, too", needs=[returns, words_handled])
 def again(recording: Recording) -> Verdict:
     run = facts(recording)
     words = f"{len(run.waiting_handled)} of {WAITING_WORDS} waiting words"
@@ -372,7 +374,7 @@ def slow_callbacks(recording: Recording) -> Verdict:
     return SLOW_JOBS.first(run) or well if verdict.ok else verdict
 
 
-@criterion(points=1, title="It returns on time for a node that has almost nothing to do", needs=[returns])
+@criterion(points=1, title="With a quiet robot, pump also returns on time", needs=[returns])
 def quiet_node(recording: Recording) -> Verdict:
     call = facts(recording).quiet
     verdict = in_time(call)
@@ -381,15 +383,13 @@ def quiet_node(recording: Recording) -> Verdict:
     return WORDS_WAIT.verdict(call) if words_wait else verdict
 
 
-@criterion(points=1, title="It uses hardly any CPU time while it waits", needs=[returns])
+@criterion(points=1, title="pump uses hardly any CPU time while it waits", needs=[returns])
 def easy_on_the_processor(recording: Recording) -> Verdict:
     run = facts(recording)
-    return BUSY.first(run) or see.passed(f"{run.idle_share:.0%} of one processor")
+    return BUSY.first(run) or see.passed(f"{run.idle_share:.0%} of a CPU core")
 
 
-@criterion(
-    points=1, title="After it has returned, no callback runs, and the node is unchanged", needs=[returns]
-)
+@criterion(points=1, title="Between calls, no callback runs, and the node is unchanged", needs=[returns])
 def nothing_left_running(recording: Recording) -> Verdict:
     unchanged = see.passed("no callback ran between the calls, and the node is unchanged")
     return LEFT_RUNNING.first(facts(recording)) or unchanged

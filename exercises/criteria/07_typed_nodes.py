@@ -399,7 +399,7 @@ GOOD_WORD_LOST = WORDS.rules(
 
 @criterion(
     points=1,
-    title="The node reports as before: the battery at 1 Hz, the status at 0.5 Hz",
+    title="The node reports as before: the battery at 1 Hz and the status at 0.5 Hz",
     needs=[program_runs],
 )
 def reports_as_before(recording: Recording) -> Verdict:
@@ -416,7 +416,7 @@ def reports_as_before(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="mypy --strict finds nothing in your program", needs=[program_runs])
+@criterion(points=2, title="mypy --strict reports no errors in your program", needs=[program_runs])
 def clean(recording: Recording) -> Verdict:
     return see.mypy_clean(recording)
 
@@ -434,7 +434,9 @@ def wrong_message_found(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=1, title="mypy objects to a wrong value, any other word, and a missing value", needs=[right_use]
+    points=1,
+    title="mypy objects to a value of the wrong type, a wrong word, and a missing value",
+    needs=[right_use],
 )
 def wrong_value_found(recording: Recording) -> Verdict:
     return see.all_of(
@@ -458,7 +460,7 @@ def numbers_arrive(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title="At run time, too, a wrong value or message raises an exception and isn't published",
+    title="At run time, a value or message of the wrong type raises an exception",
     needs=[program_runs],
 )
 def refuses_wrong_types(recording: Recording) -> Verdict:
@@ -474,7 +476,7 @@ def refuses_wrong_types(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="At run time, too, the two words are published, and any other word raises an exception",
+    title="At run time, the two words are published, and any other word raises an exception",
     needs=[program_runs],
 )
 def refuses_wrong_words(recording: Recording) -> Verdict:

@@ -20,7 +20,7 @@ def battery_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, BATTERY)
 
 
-@criterion(points=2, title="The battery's charge really arrives, falling from 100 %", needs=[battery_topic])
+@criterion(points=2, title="The published charge is correct and falls from 100 %", needs=[battery_topic])
 def battery_arrives(recording: Recording) -> Verdict:
     return see.all_of(
         see.really_arrives(recording, BATTERY),
@@ -32,12 +32,12 @@ def battery_arrives(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="The battery is published at 0.5 Hz", needs=[battery_topic])
+@criterion(points=2, title="The charge is published at 0.5 Hz", needs=[battery_topic])
 def battery_rate(recording: Recording) -> Verdict:
     return see.rate(recording, BATTERY)
 
 
-@criterion(points=1, title="/robot/status is unchanged: String, 1 Hz", needs=[program_runs])
+@criterion(points=1, title="/robot/status works as before: String, 1 Hz", needs=[program_runs])
 def status_kept(recording: Recording) -> Verdict:
     return see.all_of(
         see.publishes(recording, STATUS),
@@ -47,7 +47,7 @@ def status_kept(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="The program runs until it is told to end", needs=[program_runs])
+@criterion(points=1, title="The program keeps running until Ctrl-C", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     verdict = see.alive_at_end(recording)
     levels = [level for level in see.values(recording, BATTERY) if isinstance(level, float)]
@@ -60,7 +60,7 @@ def alive_at_end(recording: Recording) -> Verdict:
 
 @criterion(
     points=3,
-    title="Ctrl-C ends the program with exit code 0, without a traceback",
+    title="Ctrl-C ends the program with exit code 0 and no traceback",
     needs=[alive_at_end],
     about_end=True,
 )
