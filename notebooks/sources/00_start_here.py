@@ -26,14 +26,14 @@ await watch_robot(seconds=6, ease=0.1)
 # %% [markdown]
 # That wasn't a recording: you watched two programs at work. One of them computed the angles of the robot's twelve
 # joints and sent them, twenty times a second. The other program, this notebook, received the angles and drew the robot.
-# The robot is simulated, but the communication is real: it runs on **ROS 2**, the Robot Operating System, just as on
-# real robots.
+# The robot is simulated, but the communication is real: both programs use **ROS 2**, the Robot Operating System, as
+# they would on a real robot.
 #
 # [the same without helpers: start]
 
 # %% [markdown]
-# The programs communicate through a **topic**, a named stream of messages. This topic is `/robot/joint_positions`, and
-# each message holds twelve angles. First, stop the robot's program:
+# The programs communicate through a **topic**, a named stream of messages. Here, the topic is `/robot/joint_positions`,
+# and each message holds twelve angles. First, stop the robot's program:
 
 # %%
 stop()
@@ -73,8 +73,9 @@ stop()
 # message type and a topic. `move` fills a message with twelve angles in radians and publishes it. The timer calls
 # `move` every 0.1 s, and `spin` keeps the node running.
 #
-# **Your turn.** In the list, the third angle is for the left shoulder and the fifth for the right one. Write a list of
-# twelve angles: 2.4 rad for the right shoulder, and 0.0 for every other joint. (`[0.0] * 7` is a list of seven zeros.)
+# **Your turn.** In the message's list, the third angle is for the left shoulder, and the fifth is for the right one.
+# Write a list of twelve angles: 2.4 rad for the right shoulder, and 0.0 for every other joint. (`[0.0] * 7` is a list
+# of seven zeros.)
 
 # %% id="your-pose"
 from workbook.lesson import yours
@@ -118,8 +119,8 @@ yours(
 # - **d** The robot keeps waving: the notebook continues the movement.
 #   ✗ The notebook doesn't compute the movement. It only draws the poses that it receives, and no new ones arrive.
 #
-# Click your choice, or press its letter. You can change it until you see the outcome. (If these options aren't buttons,
-# run the cell below first.)
+# Click your choice, or press its letter. You can change it until you see the outcome. (If the options don't appear as
+# buttons, run the cell below first.)
 
 # %%
 from workbook.lesson import predict, reveal
@@ -143,10 +144,10 @@ reveal("end-of-the-program")
 # ## Look inside
 #
 # There's no error. DDS, the layer that carries the messages, detected that the publisher was gone and removed it from
-# its list. But ROS doesn't treat a missing publisher as an error, because a program's code refers only to a **topic**,
-# not to another program. A topic has a name, here `/robot/joint_positions`, and a message type, here an array of
-# numbers. One program **publishes** to the topic, whether or not it has subscribers. Another **subscribes** to it,
-# whether or not it has publishers.
+# its list of publishers. But ROS doesn't treat a missing publisher as an error, because a program's code refers only to
+# a **topic**, not to another program. A topic has a name, here `/robot/joint_positions`, and a message type, here an
+# array of numbers. A program can **publish** to a topic that has no subscribers, or **subscribe** to one that has no
+# publishers.
 #
 # So one of a robot's programs can crash without bringing down the others. The price is that your node itself has to
 # detect when a topic goes silent.
@@ -168,8 +169,8 @@ graph_picture()
 # Read the graph from left to right. `/humanoid_status_publisher` publishes to two topics, and `/status_monitor`
 # subscribes to both. Right now, no program subscribes to the joint positions, but they're published anyway.
 #
-# No program's code contains another program's name. They found each other through the names of their topics. Here are
-# the next two messages on one of these topics:
+# No program's code contains another program's name. The programs found each other through the names of their topics.
+# Here are the next two messages on one of these topics:
 
 # %%
 from workbook.ros import topic_echo
@@ -193,8 +194,8 @@ yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 # turns it into a **node**. A node is a part of the robot's software that other programs can find and talk to. Those
 # programs may run on another computer or be written in another language.
 #
-# **Why does it matter?** On a humanoid, the camera drivers and motor control are mostly written in C++, because every
-# millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
+# **Why does it matter?** On a humanoid, the camera drivers and the motor control are mostly written in C++, because
+# every millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
 # NumPy, OpenCV, and PyTorch. Nodes connect the two worlds:
 #
 # - With a few lines of code, a trained model becomes part of the robot. The model receives images on one topic and
@@ -203,9 +204,9 @@ yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 #   running.
 #
 # But Python has its limits, and we'll measure one of them. A control loop that has to run a thousand times a second,
-# and never be a millisecond late, stays in C++. Your Python node sends it commands.
+# without ever being a millisecond late, stays in C++. Your Python node sends it commands.
 #
-# Below rclpy are more layers:
+# rclpy is built on several other layers:
 
 # %%
 from workbook.pictures.figures import show
@@ -215,7 +216,7 @@ show(layers(), DESCRIPTION)
 
 # %% [markdown]
 # `rcl` is short for *ROS client library*. Both rclpy and the C++ library `rclcpp` are built on it. So names and message
-# types mean the same thing in both languages, and no node needs to know which language another node is written in.
+# types mean the same thing in both languages, and a node's language makes no difference to the other nodes.
 #
 # The process that runs this cell has loaded all of these layers, and Linux can list them:
 
@@ -305,7 +306,7 @@ stop()
 # The robot's speed and its reporting rate are two different numbers. Beginners often mix them up.
 #
 # With `ease=0.5`, the drawing glides from one pose to the next. That looks fine, but the poses in between are made up.
-# Try it, and try other numbers, as often as you like.
+# Try it, and try other numbers, too.
 #
 # Or use a slider. Drag it while the next cell runs: each change restarts the program with the new number.
 
@@ -342,9 +343,9 @@ start(joint_position_publisher)
 topic_info("/robot/joint_postions")
 
 # %% [markdown]
-# The name is missing an `i`. Our tools suggest the name that you probably meant, but a subscriber wouldn't. It would
-# wait silently on a topic that has no publisher. Misspelled names are very common, so if no messages arrive, check the
-# names first.
+# The name is missing an `i`. Our tools suggest the name that you probably meant, but ROS itself doesn't. A subscriber
+# would wait silently on a topic that has no publisher. Misspelled names are very common, so if no messages arrive,
+# check the names first.
 
 # %%
 stop()
@@ -354,11 +355,11 @@ stop()
 #
 # | you see | do this |
 # |---|---|
-# | `[*]` stays next to a cell | the cell is still running. The button **■** above stops it, as Ctrl-C does in a terminal |
-# | `NameError: name 'start' is not defined` | a cell above wasn't run: *Run > Run All Above Selected Cell* |
-# | a robot is still waving, or two are | `stop()` ends all programs that this notebook has started |
-# | nothing makes sense anymore | the button **⟳** restarts the kernel. Programs and variables are gone, but your text stays |
-# | not even the first cell works | `workbook doctor` in a terminal reports what's wrong with the machine |
+# | `[*]` stays next to a cell | the cell is still running. The **■** button above stops it, as Ctrl-C does in a terminal |
+# | `NameError: name 'start' is not defined` | a cell above wasn't run, so choose *Run > Run All Above Selected Cell* |
+# | one or more robots are still waving | `stop()` ends all programs that this notebook has started |
+# | nothing makes sense anymore | the **⟳** button restarts the kernel. That deletes programs and variables, but your text stays |
+# | not even the first cell works | run `workbook doctor` in a terminal: it reports what's wrong with the machine |
 # | an exercise doesn't pass | `%check` names the first thing to fix; `%hint` gives up to three hints |
 
 # %% [markdown]
@@ -434,8 +435,8 @@ from workbook.ros import join_line
 print(join_line())
 
 # %% [markdown]
-# *Step 3: change two numbers.* Make a robot that waves twice a second and reports ten times a second. Predict what
-# you'll see before you run the cell.
+# *Step 3: change two numbers.* Start a robot that waves twice a second and publishes ten messages a second. Predict
+# what you'll see before you run the cell.
 
 # %% id="your-numbers"
 waves = ...  # TODO: waves_per_second
@@ -465,7 +466,7 @@ if ... not in (waves, period):
 # </details>
 # <details><summary>b) A robot simulator</summary>
 #
-# ✗ A simulator models an artificial world. rclpy only connects programs, whether the robot is real or simulated.
+# ✗ A simulator creates a virtual world. rclpy only connects programs, whether the robot is real or simulated.
 #
 # </details>
 # <details><summary>c) A translator that turns Python into C++</summary>
@@ -507,7 +508,7 @@ if ... not in (waves, period):
 # </details>
 # <details><summary>c) Both are built on rcl, a C library</summary>
 #
-# ✓ So both follow the same rules for names and types, and nodes of both kinds can talk to each other.
+# ✓ So both follow the same rules for names and types, and nodes written with either library can talk to each other.
 #
 # </details>
 #
@@ -555,7 +556,7 @@ if ... not in (waves, period):
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two mistakes. We tested both with this course's rclpy.
+# Watch for these two mistakes. We checked both against this course's installation.
 #
 # - **Start `roscore` first:** That's ROS 1. ROS 2 has no central program: its nodes find each other on their own.
 # - **In one process, nodes share messages without copying (`use_intra_process_comms`):** In C++, they can. rclpy has no
@@ -570,7 +571,7 @@ if ... not in (waves, period):
 # - To move the robot, a program needs 11 lines: imports, init, node, publisher, callback, timer, and spin.
 # - rclpy makes rcl available in Python. Two layers below rcl carry the messages: rmw and DDS.
 # - Predict, run, change. ■ stops a cell, `stop()` stops the robots, and `workbook doctor` checks the machine.
-# - Nodes find each other through topics. A topic has a name and a type, and no node needs to know which others use it.
+# - Nodes find each other through topics. A topic has a name and a type, and a node's code names no other node.
 #
 # **Next:** [01 · The context](01_the_context.ipynb): starting ROS before the first node, and shutting it down after the
 # last one.

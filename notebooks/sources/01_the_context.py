@@ -2,12 +2,12 @@
 # # 01 · The context
 #
 # A robot program has to start ROS before it can create a node. And when the program ends, the robot mustn't drop what
-# it's carrying. How do you start and end ROS properly? Starting and ending involve the same object: the context.
+# it's carrying. How do you start ROS and shut it down properly? Both steps involve the same object: the context.
 #
 # - **Minutes:** 45
 # - **You need:** lesson [00](00_start_here.ipynb)
 # - **You will be able to:**
-#   - start and end ROS in a program
+#   - start ROS in a program and shut it down
 #   - say which calls work before `init`, after it, and after `shutdown`
 #   - say which robots receive each other's messages
 #   - write a `main()` that ends cleanly on Ctrl-C
@@ -28,9 +28,9 @@ stop()
 print("after the end:  ", node_list())
 
 # %% [markdown]
-# While the program was running, the list of nodes contained the program's **node**. Then the program ended without an
-# error, and the node was gone. Such a clean exit is less common than you might think: many programs on the web end with
-# a page of error messages. By the end of this lesson, you'll be able to write one that doesn't.
+# While the program was running, its **node** was in the list. Then the program ended without an error, and the node was
+# gone. Such a clean exit is less common than you might think: many example programs on the web end with a page of error
+# messages. By the end of this lesson, you'll be able to write one that doesn't.
 #
 # [the same without helpers: start]
 
@@ -67,7 +67,8 @@ predict("publish-after-shutdown")
 # %% [markdown]
 # ## Run it
 #
-# `rclpy.ok()` returns whether the context is valid. Let's call it before `init`, after `init`, and after `shutdown`.
+# `rclpy.ok()` returns `True` while the context is valid. (The next section explains what a context is.) Let's call this
+# function before `init`, after `init`, and after `shutdown`.
 
 # %%
 import rclpy
@@ -100,7 +101,7 @@ reveal("publish-after-shutdown")
 # %% [markdown]
 # ## Look inside
 #
-# `init` created a **context**, and `shutdown` ended it. A context holds the settings that all nodes in a *process*
+# `init` created a **context**, and `shutdown` shut it down. A context holds the settings that all nodes in a *process*
 # share: the domain, the command-line arguments, and the handling of Ctrl-C. Every node belongs to a context. You didn't
 # have to pass a context, because `rclpy.init()` initializes the **default context**, and `Node(...)` uses it.
 #
@@ -153,10 +154,11 @@ for row, action in enumerate(actions):
     print(line(action, [column[row] for column in columns.values()]))
 
 # %% [markdown]
-# The three exceptions tell you different things:
+# The three exceptions have different meanings:
 #
 # - **`NotInitializedException`:** There's no valid context.
-# - **`RCLError`:** The C library below rclpy rejected the call. Here, too, the reason is that there's no valid context.
+# - **`RCLError`:** The C library that rclpy is built on rejected the call. Here, too, the reason is that there's no
+#   valid context.
 # - **`InvalidHandle`:** The context is valid, but the node was destroyed.
 #
 # Look at the last row. After the shutdown, the node still exists as a Python object and can return its name. But it
@@ -182,10 +184,10 @@ yours(got, "✓", "Call rclpy.init(), then create the node with Node(...).")
 #
 # ### Experiment 1: three contexts in one notebook
 #
-# A process usually has one context, but it can have several. Each context can be in a different **domain** (the number
-# from lesson 00). Here are three robots in one process, each with its own context. `kitchen` and `hall` are in domain
-# A, and `garden` is in domain B. All three publish their names to the topic `/building/hello` and subscribe to that
-# topic. Which robots hear each other, that is, receive each other's messages?
+# A process usually has one context, but it can have several. Each context can be in a different **domain**, the number
+# that you met in lesson 00. Here are three robots in one process, each with its own context. `kitchen` and `hall` are
+# in domain A, and `garden` is in domain B. All three publish their names to the topic `/building/hello` and subscribe
+# to that topic. Which robots hear each other, that is, receive each other's messages?
 #
 # - **a** None: each has its own context.
 #   when `kitchen_hears == 0 and garden_hears == 0`
@@ -193,7 +195,7 @@ yours(got, "✓", "Call rclpy.init(), then create the node with Node(...).")
 #   just as two programs would.
 # - **b** `kitchen` and `hall` hear each other, but `garden` hears no one.
 #   when `kitchen_hears == 1 and garden_hears == 0`
-#   ✓ The domain decides who hears whom. Two of the three contexts are in domain A.
+#   ✓ Robots hear each other only within a domain. Two of the three contexts are in domain A.
 # - **c** All of them, because they share one process and one topic.
 #   when `kitchen_hears == 2 and garden_hears == 2`
 #   ✗ `garden` is in a different domain. Nodes in different domains don't discover each other, not even within one
@@ -274,7 +276,7 @@ show(
 )
 
 # %% [markdown]
-# Only the domain decides which robots receive each other's messages, even within one process and on one topic.
+# Only the domain determines which robots receive each other's messages, even within one process and on one topic.
 #
 # **Your turn.** A fourth robot, `terrace`, should hear `garden`, but neither `kitchen` nor `hall`.
 
@@ -317,7 +319,7 @@ print(
 # `spin` runs the node's callbacks. `guard.park()` folds the robot's arms and prints `arms parked`.
 #
 # A program's **exit code** says how it ended: 0 means success, and any other number means failure. Scripts, service
-# managers, and launch files read the exit code. After Ctrl-C, which of the three programs end with exit code 0?
+# managers, and ROS's launch system read the exit code. After Ctrl-C, which of the three programs end with exit code 0?
 #
 # - **a** Only `third_main`
 #   when `first != 0 and second != 0 and third == 0`
@@ -369,11 +371,11 @@ reveal(
 # tutorials. It looks fine, because the arms are down. But a service manager reads the exit code, so it reports a crash.
 #
 # **`third_main`** calls `rclpy.try_shutdown()`, which shuts the context down only if it's still valid. Its `except`
-# line also names a second exception, which `spin` raises if other code shuts the context down. Write your own
-# `main` in the same way.
+# line also names a second exception, which `spin` raises if other code shuts the context down. Write your own `main`
+# the same way.
 #
 # One caveat: `try_shutdown` first checks the context and then shuts it down. Very rarely, rclpy's handler shuts the
-# context down between these two steps, and the program ends like `second_main`. That's a bug in this rclpy version. The
+# context down between these two steps, so the program ends like `second_main`. That's a bug in this rclpy version. The
 # exercise's check recognizes this case and doesn't count it against you.
 
 # %% [markdown]
@@ -412,7 +414,7 @@ guard.get_name()
 # The error message calls the node a *Destroyable*. The usual cause is a call to `destroy_node()` that comes one line
 # too early, before a last `publish` or log message.
 #
-# **Code for other ROS versions.** The first mistake is a habit from ROS 1:
+# **Code for other ROS versions.** The next call follows a habit from ROS 1:
 
 # %% id="positional-arguments" tags=["raises-exception"]
 import sys
@@ -423,7 +425,7 @@ rclpy.init(sys.argv)
 # %% [markdown]
 # Pass the arguments by name: `rclpy.init(args=sys.argv)`. If you leave them out, rclpy uses the command-line arguments.
 #
-# The second one comes from the documentation for a newer ROS release:
+# And this `with` statement comes from the documentation for a newer ROS release:
 
 # %% id="with-init" tags=["raises-exception"]
 rclpy.try_shutdown()
@@ -445,9 +447,9 @@ rclpy.try_shutdown()
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** A robot waters plants. When its program ends, it must close the valve, even after an error. The
-# pattern is always the same: call `init`, create the node, spin inside `try`, catch the two exceptions, and clean up in
-# `finally`.
+# **Worked example.** A robot waters plants. When its program ends, the robot must close the valve, even after an error.
+# The pattern is always the same: call `init`, create the node, spin inside `try`, catch the two exceptions, and clean
+# up in `finally`.
 
 # %%
 # %%writefile gardener.py
@@ -494,9 +496,9 @@ print("exit code:", end.exit)
 print("last line:", end.log.strip().splitlines()[-1])
 
 # %% [markdown]
-# **Fill in the blanks.** A delivery robot must lock its box when its program ends. Complete the three places marked
-# with TODO, and run both cells. The second one runs your program, sends it Ctrl-C, and checks its exit code and its
-# last line of output.
+# **Fill in the blanks.** A delivery robot must lock its box when its program ends. Fill in the three places marked
+# TODO, and run both cells. The second one runs your program, sends it Ctrl-C, and checks its exit code and its last
+# line of output.
 
 # %%
 # %%writefile courier.py
@@ -545,11 +547,11 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Your program called `rclpy.shutdown()`, and the variable `guard` still refers to a node. What can the node do?**
+# **1. Your program has called `rclpy.shutdown()`, and the variable `guard` refers to one of its nodes. What can that node still do?**
 #
 # <details><summary>a) It can do everything except receive messages</summary>
 #
-# ✗ Publishing raises an exception as well, as you saw.
+# ✗ It can't publish, either. As you saw, `publish` raises an exception.
 #
 # </details>
 # <details><summary>b) It can return its name, but do little else</summary>
@@ -572,8 +574,8 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # </details>
 # <details><summary>b) Call <code>rclpy.shutdown()</code> before each <code>rclpy.init()</code></summary>
 #
-# ✗ `shutdown` itself raises an exception if there's nothing to shut down. And any nodes created in between lose their
-# context.
+# ✗ `shutdown` itself raises an exception if there's nothing to shut down. And any nodes created before that call lose
+# their context.
 #
 # </details>
 # <details><summary>c) Wrap the call in <code>try</code> and <code>except</code>, and continue</summary>
@@ -604,7 +606,8 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 #
 # <details><summary>a) A different domain for each desk</summary>
 #
-# ✓ Programs in different domains don't discover each other at all. Run `export ROS_DOMAIN_ID=17` in the terminal once.
+# ✓ Programs in different domains don't discover each other at all. At one of the desks, run `export ROS_DOMAIN_ID=17`
+# once in each terminal.
 #
 # </details>
 # <details><summary>b) A separate context for each program</summary>
@@ -635,12 +638,12 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # <details><summary>What a good answer covers</summary>
 #
 # By default, rclpy's handler shuts the context down at about the same time as Python raises the exception. After that,
-# the node can't publish, and no timer fires. So neither the slow movement nor the message can happen in the `except`
-# block.
+# the node can't publish, and no timer fires. So the `except` block can neither move the arm slowly nor publish the
+# message.
 #
 # One option is `SignalHandlerOptions.NO`, which keeps the context valid until the program shuts it down. In the
 # `except` block, keep spinning until the arm has reached its rest position, then publish and call `try_shutdown()`.
-# (Give the node a timer: without one, `spin` may not notice the Ctrl-C.) Another option is a "park" service or topic
+# (Give the node a timer: without one, `spin` may not wake up on Ctrl-C.) Another option is a "park" service or topic
 # that the operator uses before pressing Ctrl-C.
 #
 # A good answer also asks what happens if the process is killed or the computer loses power, because no `finally` block
@@ -666,7 +669,8 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 #   down*, and never back.
 # - Call `rclpy.init()` once, in `main`, before you create the first node. After `shutdown` or `destroy_node`, a node
 #   can't publish or receive.
-# - The domain decides which robots receive each other's messages. Set it outside of the program, with `ROS_DOMAIN_ID`.
+# - The domain determines which robots receive each other's messages. Set it outside of the program, with
+#   `ROS_DOMAIN_ID`.
 # - To see from outside how a program ended, check its exit code, its log, and whether its node is gone.
 # - On Ctrl-C, rclpy shuts the context down on its own, and `spin` raises an exception. So clean up in `finally`, and
 #   call `try_shutdown()` there.

@@ -38,8 +38,8 @@ predict("sigterm")
 # %% [markdown]
 # ## Run it
 #
-# This program spins a guard until one of three events stops it: Ctrl-C, SIGTERM, or a call to `rclpy.shutdown()` in
-# another thread.
+# This program spins the night guard's node until one of three events ends `spin`: Ctrl-C, SIGTERM, or a call to
+# `rclpy.shutdown()` in another thread.
 
 # %%
 import inspect
@@ -74,8 +74,8 @@ print("rclpy.ok() afterward, in all six runs:", *still_ok)
 # without an exception. So if code must always run, put it in `finally`.
 #
 # SIGTERM causes a race in this rclpy version: the signal wakes `spin` up a moment *before* the context is shut down. In
-# some runs, you see an `RCLError`, and an idle node may even keep sleeping. Use SIGINT if you can choose. Launch files
-# send SIGINT first. In a service file, write `KillSignal=SIGINT`.
+# some runs, you see an `RCLError`, and an idle node may even keep sleeping. Use SIGINT if you can choose. ROS's launch
+# system sends SIGINT first. In a systemd service file, write `KillSignal=SIGINT`.
 
 # %% [markdown]
 # ## Look inside
@@ -170,7 +170,7 @@ for what, following in zip(names, [*names[1:], None], strict=True):
 # %% [markdown]
 # `init` alone doesn't make your program visible to others. The ports open when you create the first **node**, and they
 # close when the last node is destroyed. (You may read that `init` connects to ROS and `shutdown` disconnects. In this
-# build, that's not quite true.)
+# course's build of ROS 2, that's not quite true.)
 
 # %% [markdown]
 # ## When it goes wrong
@@ -204,7 +204,7 @@ for handled_by in ("ALL", "NO"):
 
 # %% [markdown]
 # rclpy shuts the context down in a separate thread, while Python raises the exception. The guard waited half a second
-# before it published, and by then, the context was shut down. Its log message still reached the terminal, but the
+# before it published, and by then, the context had been shut down. Its log message still reached the terminal, but the
 # publisher raised an exception.
 #
 # With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays valid until *you* shut it

@@ -7,15 +7,15 @@
 # - **Minutes:** 55
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
-#   - write a node class, and give each of its nodes a name and a namespace
+#   - write a node class, and give each node that you create from it a name and a namespace
 #   - create two nodes with different names from one class
 #   - say what happens when two nodes have the same name
 #   - read error messages about names and attributes
 # - **Not covered:** messages between nodes (lessons 03 and 04), parameters, launch files, and nodes in C++ packages
 
 # %% [markdown]
-# The program `roll_call` lists the nodes in the graph five times a second. It runs in a separate process. Let's create
-# a node in the notebook and print the other process's list.
+# Five times a second, the program `roll_call` lists all the nodes that it can find. It runs in a separate process.
+# Let's create a node in the notebook and print the other process's list.
 
 # %%
 from lesson_nodes import roll_call
@@ -106,7 +106,7 @@ show(
 #   master.)
 # - **b** The second node replaces the first one.
 #   when `named_camera == 1 and all_nodes == 1`
-#   ✗ The two nodes don't affect each other. A node doesn't end because another node has the same name.
+#   ✗ The two nodes don't affect each other. A node doesn't end just because another node has the same name.
 # - **c** Both nodes exist, under the same name.
 #   when `named_camera == 2`
 #   ✓ ROS doesn't check for duplicate node names. The graph contains both nodes, and both are called `/camera`.
@@ -155,8 +155,9 @@ right.destroy_node()
 # A **node** is a participant in the **graph**, the network of all nodes and their connections. No central registry
 # assigns names. Each process announces its own nodes, and the other processes add these nodes to their lists without
 # checking for duplicates. So two nodes can have the same name. But avoid such **duplicate node names**. If another
-# program sends a request to `/camera`, both nodes handle it, and the program gets whichever response arrives first. ROS
-# doesn't treat duplicate names as an error, though: the cell above printed only a warning.
+# program calls a service that `/camera` offers (lesson 12), both nodes handle the request, and the program gets
+# whichever response arrives first. ROS doesn't treat duplicate names as an error, though: the cell above printed only a
+# warning.
 #
 # A node isn't a process: this notebook's process contained two nodes. And a node isn't a class, because you can create
 # many nodes from one class.
@@ -204,8 +205,8 @@ for method in ("__init__", "take_picture", "report_faults"):
 # - **b** Three
 #   when `cameras == 3`
 #   ✓ Each run creates a new node. The executor keeps its references to the old ones, so Python doesn't delete them.
-# - **c** None: the second and third runs raise an error.
-#   ✗ A duplicate node name isn't an error, so nothing reports the extra nodes.
+# - **c** One: the second and third runs raise an error, so they create no node.
+#   ✗ ROS doesn't treat a duplicate node name as an error, so these runs create nodes, too.
 
 # %%
 predict("three-runs")
@@ -249,8 +250,8 @@ print(node_list())
 # In these notebooks, `fresh(SomeNode)` does this for you. It destroys the node that an earlier run created with
 # `fresh`, and then creates a new one.
 #
-# **Your turn.** Here's the camera cell again, now as a function. Complete it so that one camera is left after three
-# calls.
+# **Your turn.** Here's the camera cell again, now as a function. Complete it so that only one camera is left after
+# three calls.
 
 # %% id="your-cell"
 from workbook.lesson import yours
@@ -274,8 +275,9 @@ for camera in executor.get_nodes():
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
-# A humanoid has two of almost every part. To keep their names apart, ROS organizes names into folders, much like files.
-# A node's folder is called its **namespace**. Here's a camera in the namespace `/robot/head`, with three topic names:
+# A humanoid has two of almost every part. To keep the parts' names distinct, ROS organizes names into folders, just as
+# a file system organizes files. A node's folder is called its **namespace**. Here's a camera in the namespace
+# `/robot/head`, with three topic names:
 #
 # ```python
 # camera = Node("camera", namespace="/robot/head")
@@ -318,7 +320,7 @@ camera.destroy_node()
 # | you write | kind of name | it becomes | use it for |
 # |---|---|---|---|
 # | `faults` | relative | namespace + name | topics that the parts of *this* robot share |
-# | `/emergency_stop` | absolute | itself | topics that all robots share; rarely right |
+# | `/emergency_stop` | absolute | the same name | topics that all robots share (rarely the right choice) |
 # | `~/frame` | private | namespace + node + name | topics that belong to *this* node alone |
 #
 # The leading slash makes the difference. With `/faults`, a second robot would report its faults on the same topic.
@@ -326,7 +328,7 @@ camera.destroy_node()
 # relative and private names, as `CameraDriver` does.)
 #
 # **Your turn.** Each of three cameras publishes its `temperature`. Write one topic name that gives each camera its own
-# topic. The cell after that creates two robots from the unchanged driver class.
+# topic. After that, another cell creates two robots from the unchanged driver class.
 
 # %% id="your-topic-name"
 topic_name = ...  # TODO: one name for all three, in quotes
@@ -370,8 +372,8 @@ graph_picture()
 # ```
 #
 # `-r` (remap) replaces the name on the left of `:=` with the name on the right. `__node` and `__ns` stand for the
-# node's own name and namespace. The driver publishes to `~/frame` and `faults`. What are their fully qualified names
-# now?
+# node's own name and namespace. The driver publishes to `~/frame` and `faults`. What are the topics' fully qualified
+# names now?
 #
 # - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
 #   when `'/robot/rear_camera/faults' in names`
@@ -409,11 +411,11 @@ for printed in end.log.splitlines():
 reveal("remapped-node", names=end.log.split())
 
 # %% [markdown]
-# The driver's code didn't change, but its private and relative names followed the new node name and namespace. That's
-# why good drivers use such names.
+# The driver's code didn't change, but its private and relative names changed along with the node's name and namespace.
+# That's why good drivers use such names.
 #
-# What if both cameras run in one process? Command-line arguments apply to *all* nodes in the process. Both nodes would
-# be called `rear_camera`: duplicate node names again. There are two solutions:
+# What if both cameras run in one process? Command-line arguments apply to *all* nodes in the process. So both nodes
+# would be called `rear_camera`: duplicate node names again. There are two solutions:
 #
 # - **On the command line, say which node you mean.** `-r camera_a:__node:=rear_camera` renames only the node that's
 #   named `camera_a` in the code.
@@ -443,7 +445,8 @@ init()
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Duplicate node names.** If two nodes have the same name, rcl logs this warning:
+# **Duplicate node names.** If two nodes have the same name, rcl, the C library that rclpy is built on, logs this
+# warning:
 
 # %% id="twin-warning"
 SAME_NAME = """
@@ -484,7 +487,7 @@ for name in (
         print(f"✗ {error}")
 
 # %% [markdown]
-# A node name may contain only English letters, digits, and underscores, and it can't start with a digit. In the
+# A node name may contain only English letters, digits, and underscores, and it can't start with a digit. In the error
 # message, a caret marks the invalid character. The fifth example is the most common mistake: a node name can't contain
 # a slash. Pass the folder as a separate argument: `Node("camera", namespace="/robot")`. Namespaces have similar rules:
 
@@ -589,8 +592,7 @@ logger = quiet.get_logger()
 logger.info("battery at %d %%", 80)
 
 # %% [markdown]
-# Pass a single string: `logger.info(f"battery at {80} %")`. The next helper function fails when it's called a second
-# time:
+# Pass a single string: `logger.info(f"battery at {80} %")`. The next helper function fails on its second call:
 
 
 # %% id="logger-severity" tags=["raises-exception"]
@@ -775,8 +777,8 @@ yours(
 # namespace as the robot's name.
 #
 # A good answer also asks how many nodes should share a domain. (If all twenty robots share one domain, it contains 300
-# nodes. One domain per robot, plus a bridge, may be better.) A good answer also asks what happens if two robots get the
-# same number by mistake. (Their nodes would have duplicate names, so check for that at startup.)
+# nodes. One domain per robot, plus a bridge, may be better.) It also asks what happens if two robots get the same
+# number by mistake. (Their nodes would have duplicate names, so check for that at startup.)
 #
 # </details>
 #
@@ -784,10 +786,10 @@ yours(
 #
 # Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
-# - **ROS 2 rejects a second node with the same name:** It doesn't. Both nodes run, and only a warning says that their
-#   log messages share one publisher.
-# - **Start it with `__ns:=/robot_07`:** That's ROS 1 syntax. rcl still accepts it, with a warning that it's deprecated.
-#   In ROS 2, write `--ros-args -r __ns:=/robot_07`.
+# - **ROS 2 rejects a second node with the same name:** It doesn't. Both nodes run, and all you get is a warning that
+#   their log messages share one publisher.
+# - **Start each program with `__ns:=/robot_07`:** That's ROS 1 syntax. rcl still accepts it, with a warning that it's
+#   deprecated. In ROS 2, write `--ros-args -r __ns:=/robot_07`.
 #
 # </details>
 

@@ -31,14 +31,14 @@ print("the first one:", commands[0])
 
 # %% [markdown]
 # Each message has the type `Twist`, which consists of two groups of three numbers. `linear` is the speed in m/s, and
-# `angular` is the turning rate in rad/s. This robot uses only two of the six: `linear.x`, its forward speed, and
-# `angular.z`, its turning rate. In ROS, x points forward, y points to the left, and a positive `angular.z` is a turn to
-# the left ([REP 103](https://www.ros.org/reps/rep-0103.html)).
+# `angular` is the turning rate in rad/s. This robot uses only two of the six numbers: `linear.x`, its forward speed,
+# and `angular.z`, its turning rate. In ROS, x points forward, y points to the left, and a positive `angular.z` is a
+# turn to the left ([REP 103](https://www.ros.org/reps/rep-0103.html)).
 #
 # [the same without helpers: record]
 #
-# Where does the robot go? To find out, we compute its path: like the robot, we follow each command for a tenth of a
-# second.
+# Where does the robot go? To find out, we compute its path by applying each command for a tenth of a second, as the
+# robot does.
 
 # %%
 from workbook.pictures.path import path_of, show_path
@@ -53,7 +53,7 @@ show_path(
 # Now change the recording: use `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, eight=False)`, and run both cells
 # again.
 #
-# Which field of a `Twist` does what? Make a prediction before you publish your own messages.
+# How do the fields of a `Twist` shape the robot's path? Make a prediction before you publish your own messages.
 
 # %% [markdown] prediction="the-other-circle"
 # ## Predict
@@ -63,15 +63,15 @@ show_path(
 #
 # - **a** A circle twice as wide
 #   when `1.2 <= width_m < 2.0`
-#   ✓ The radius is the forward speed divided by the turning speed. Half the turning speed doubles the radius.
+#   ✓ The radius is the forward speed divided by the turning rate. Halving the turning rate doubles the radius.
 # - **b** A circle half as wide
 #   when `width_m < 0.6`
 #   ✗ It's the other way around: a robot that turns more slowly drives farther before it completes the circle.
 # - **c** The same circle, driven at half the speed
 #   when `0.6 <= width_m < 1.2`
-#   ✗ The forward speed stays 0.4 m/s. Only the turning speed changes, and that changes the circle.
+#   ✗ The forward speed stays 0.4 m/s. Only the turning rate changes, and that changes the circle.
 # - **d** A spiral
-#   ✗ For a spiral, one of the two speeds would have to keep changing, but both are constant.
+#   ✗ For a spiral, the speed or the turning rate would have to keep changing, but both are constant.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -123,9 +123,9 @@ show_path(
 #
 # | argument | here | meaning |
 # |---|---|---|
-# | message type | `Twist` | the message class itself, not its name in quotes, and not a Python type |
-# | topic | `"/robot/cmd_vel"` | the exact name that other programs use to find it |
-# | depth | `10` | how many messages the publisher keeps for retransmission; the deeper notebook measures its effect |
+# | message type | `Twist` | the message class itself, not its name in quotes or a Python type such as `float` |
+# | topic | `"/robot/cmd_vel"` | the topic's exact name, as other programs use it |
+# | depth | `10` | how many messages the publisher keeps for retransmission; in the deeper notebook, you measure the depth's effect |
 #
 # A topic has only **one** type, so all of its publishers and subscriptions must use that type.
 #
@@ -189,8 +189,8 @@ yours(
 # A node reports the battery's charge: `battery.publish(Float32(data=80))`. The definition of `Float32` has a single
 # field, `float32 data`.
 #
-# The program uses this course's packages with their default settings. A screen subscribes to the topic. What does it
-# show?
+# The program uses this course's packages with their default settings. A screen subscribes to the topic. What does the
+# screen show?
 #
 # - **a** 80.0, because Python converts 80 to a float wherever a float is expected.
 #   when `arrived_for_80 == 80`
@@ -238,18 +238,19 @@ reveal("int-in-a-float-field", arrived_for_80=arrived[1])
 # %% [markdown]
 # `publish` serializes the message, which means that it converts the message to bytes that any other program can read.
 # For a `float32` field, this build reads the value's memory as if the value were a Python float, **without checking its
-# type**. An `int` stores different bytes there. Interpreted as a float, they usually form a number so tiny that it
-# becomes 0.0.
+# type**. An `int` stores different bytes there. Interpreted as a float, these bytes usually form a number so tiny that
+# it becomes 0.0.
 #
-# **On your robot, this line may do something worse.** The Ubuntu packages can abort the whole process here, with
-# ``Assertion `PyFloat_Check(field)' failed``, and no `except` clause can catch that ([rclpy
+# **On your robot, an int in a float field may have worse effects.** With the Ubuntu packages, it can abort the whole
+# process with ``Assertion `PyFloat_Check(field)' failed``, and no `except` clause can catch that ([rclpy
 # 1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Only three of the eleven values arrive correctly. One arrives as `nan`, *not a number*. Compare the two NumPy floats:
 # the `np.float64` arrives correctly, but the `np.float32` doesn't. This bug is common, because neural networks usually
 # compute in `np.float32`.
 #
-# **Your turn.** A single call converts every kind of number. Write the message for this level.
+# **Your turn.** A single built-in function converts all of these numbers to a Python float. Use it to create a message
+# that contains the level below.
 
 # %% id="your-float"
 import numpy as np
@@ -293,7 +294,7 @@ reveal("a-tenth", arrived=tenth)
 
 # %% [markdown]
 # A 32-bit float has about seven significant digits. 0.5 is a power of two, so it fits exactly, but 0.1 doesn't. Above
-# 16 777 216, not even every whole number fits. And any number above 3.4e38 becomes infinite, without a warning.
+# 16,777,216, even some whole numbers don't fit. And any number above 3.4e38 becomes infinite, without a warning.
 #
 # So don't test whether a number from a 32-bit field *equals* 0.1. Test whether it's close enough:
 
@@ -304,8 +305,8 @@ print(f"relative difference: {abs(tenth - 0.1) / 0.1:.1e}")
 print("is close to 0.1, by default:", math.isclose(tenth, 0.1))
 
 # %% [markdown]
-# **Your turn.** By default, `isclose` accepts a relative difference of at most 1e-9, but 32 bits can't store numbers
-# that precisely. Write the test with a tolerance that suits 32-bit floats.
+# **Your turn.** By default, `isclose` accepts a relative difference of at most 1e-9, but 32-bit floats aren't that
+# precise. Write the test with a tolerance that suits 32-bit floats.
 
 # %% id="your-tolerance"
 close = ...  # TODO: math.isclose(tenth, 0.1, rel_tol=...)
@@ -330,7 +331,8 @@ Float32(data=80)
 # %% [markdown]
 # The environment variable `ROS_PYTHON_CHECK_FIELDS=1` turns the checks on. They're off by default, because they take
 # time. The variable must be set **before** the message class is imported. So while you develop, set it in the terminal
-# before you start the program. The next cells write two programs that set it in their own code, and run both.
+# before you start the program. Each of the next two cells writes a program that sets the variable in its own code. Then
+# we run both programs.
 
 # %%
 # %%writefile early.py
@@ -360,8 +362,8 @@ print("switched on before the import:", errors[-1])
 print("switched on after the import: 80 arrives as", *values(late, BATTERY))
 
 # %% [markdown]
-# Setting the variable after the import has no effect, and you get no warning. The class reads the variable only once,
-# when it's loaded. For a single message, you can turn the checks on at any time:
+# Setting the variable after the import has no effect, and you get no warning. The variable is read only once, when the
+# message class is loaded. For a single message, you can turn the checks on at any time:
 # `Float32(data=level, check_fields=True)`.
 #
 # The checks find this kind of bug, but they don't fix it. They reject `80`, which `float()` could have converted, but
@@ -387,8 +389,8 @@ words = voice.create_publisher(String, "/robot/voice", 10)
 words.publish("hello")
 
 # %% [markdown]
-# `publish` accepts only messages, but `"hello"` is a `str`. The error names the expected type first, and then the
-# actual type. Wrap the string in a message: `words.publish(String(data="hello"))`.
+# `publish` accepts only messages, but `"hello"` is a `str`. The error message names the expected type first, and then
+# the actual type. Wrap the string in a message: `words.publish(String(data="hello"))`.
 #
 # [the same without helpers: init, spin_for]
 #
@@ -398,7 +400,7 @@ words.publish("hello")
 voice.create_publisher(String, "/robot/mood")
 
 # %% [markdown]
-# The error calls the third argument `qos_profile`, where QoS stands for quality of service (lesson 13). A plain
+# The error message calls the third argument `qos_profile`, where QoS stands for quality of service (lesson 13). A plain
 # number, the depth, is enough: `voice.create_publisher(String, "/robot/mood", 10)`.
 #
 # ### An error that mentions ROS 1
@@ -413,8 +415,8 @@ voice.create_publisher("String", "/robot/mood", 10)
 #
 # ### One topic, two types
 #
-# `/robot/voice` carries `String` messages. Now another part of the same program tries to publish the loudness on that
-# topic.
+# `/robot/voice` carries `String` messages. Now another part of the same program tries to publish the volume of the
+# robot's voice on that topic.
 
 # %% id="two-types"
 try:
@@ -423,9 +425,9 @@ except Exception as error:
     print(type(error).__name__, "·", str(error).split(", at ")[0])
 
 # %% [markdown]
-# In the error, `rt/robot/voice` is the topic's name in DDS, and `..._::Float32_` is the type that doesn't match. If two
-# **different** programs use the two types, you don't even get an error. In the next cell, one program publishes the
-# battery level as `Float32`, but the node in this notebook expects `Float64`:
+# In the error message, `rt/robot/voice` is the topic's name in DDS, and `..._::Float32_` is the type that doesn't
+# match. If two **different** programs use the two types, you don't even get an error. In the next cell, one program
+# publishes the battery level as `Float32`, but the node in this notebook expects `Float64`:
 
 
 # %% id="two-types-two-programs"
@@ -552,8 +554,8 @@ else:
 # </details>
 # <details><summary>b) 0.0</summary>
 #
-# ✓ In this build, there's no error. With the Ubuntu packages, the process may abort. To avoid both, convert the value
-# with `float(...)`.
+# ✓ In this build, there's no error. With the Ubuntu packages, the process may abort. To avoid both the wrong value and
+# the crash, convert the value with `float(...)`.
 #
 # </details>
 # <details><summary>c) Nothing, because <code>publish</code> raises an error</summary>
@@ -576,7 +578,7 @@ else:
 # </details>
 # <details><summary>c) <code>command.linear.y = -0.5</code></summary>
 #
-# ✗ This command makes a robot slide to the right without turning, which most robots can't do.
+# ✗ This command tells a robot to slide to the right without turning, which most robots can't do.
 #
 # </details>
 #
@@ -603,7 +605,7 @@ else:
 #
 # <details><summary>a) The fields are checked from then on</summary>
 #
-# ✗ The class reads the variable only when it's loaded. The program set the variable after that.
+# ✗ The variable is read only when the class is loaded. This program set the variable after that.
 #
 # </details>
 # <details><summary>b) None: the fields still aren't checked</summary>
@@ -614,15 +616,15 @@ else:
 # </details>
 # <details><summary>c) An error, because the variable is set too late</summary>
 #
-# ✗ The class doesn't read the variable again, so there's no error.
+# ✗ The variable isn't read again, so there's no error.
 #
 # </details>
 #
-# **5. A node publishes a leg's length as `Float32(data=0.1)`. A monitor tests `if message.data == 0.1` but never reacts. Why?**
+# **5. A node publishes a leg's length as `Float32(data=0.1)`. In a monitor, the condition `message.data == 0.1` is never true. Why?**
 #
 # <details><summary>a) 0.1 in 32 bits isn't the same number as 0.1 in 64 bits</summary>
 #
-# ✓ The monitor receives 0.10000000149011612. Test `math.isclose(message.data, 0.1, rel_tol=1e-6)` instead.
+# ✓ The monitor receives 0.10000000149011612. Use `math.isclose(message.data, 0.1, rel_tol=1e-6)` instead.
 #
 # </details>
 # <details><summary>b) The message was lost</summary>
@@ -657,9 +659,9 @@ else:
 #
 # There are three suspects: an `int` when the charge is a whole number, `None` when the library has no value, and
 # `np.float32` from the smoothing. The fix is to check values in one place, where they enter the program. There,
-# `float(level)` converts numbers, `math.isfinite` detects nan, and anything else is an error. A test publishes each
-# kind of value and checks the value that arrives. Good answers also ask what the node should do when there's no
-# value.
+# `float(level)` converts numbers, `math.isfinite` detects nan, and anything else is an error. To keep the fault from
+# coming back, add a test that publishes each kind of value and checks the value that arrives. Good answers also ask
+# what the node should do when there's no value.
 #
 # </details>
 #
@@ -667,10 +669,10 @@ else:
 #
 # Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
-# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy, the check is off by default. With
-#   this course's packages, 0.0 arrives; other builds may crash.
-# - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** That's too late, because the message type reads
-#   the variable when it's imported.
+# - **An int in a float field raises a `TypeError`, or is converted:** Neither happens, because in Jazzy, the check is
+#   off by default. With this course's packages, 0.0 arrives; other builds may crash.
+# - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** That's too late, because the variable is read
+#   when the message class is imported.
 #
 # </details>
 

@@ -1,16 +1,16 @@
 # %% [markdown]
 # # 03 · Deeper: queues, images, and richer message types
 #
-# A camera robot publishes images in bursts. Its publisher has a queue, and most programs copy that queue's depth from
-# an example. What effect does the depth have?
+# A robot's camera publishes images in bursts. Its publisher has a queue, and most programmers copy that queue's depth
+# from an example. What effect does the depth have?
 #
 # - **Minutes:** 20
 # - **You need:** lesson [03](03_publishers_and_messages.ipynb)
 # - **You will be able to:**
 #   - explain the effect of a publisher's queue depth
-#   - read and fill an `Image` message
+#   - find a pixel in an `Image` message
 #   - choose message types that other people understand
-# - **Not covered:** the subscription's queue (lesson 04), other settings of quality of service (lesson 13)
+# - **Not covered:** the subscription's queue (lesson 04), other quality-of-service settings (lesson 13)
 
 # %% [markdown]
 # This whole notebook is optional: later lessons don't depend on it.
@@ -93,20 +93,20 @@ reveal("a-burst-of-pictures", arrived=one)
 
 # %% [markdown]
 # Only the *publisher's* depth changed between the runs with large images. `publish` returns before a large image has
-# been delivered. Once newer images have pushed it out of the publisher's queue, it can't be sent again, and neither
-# side raises an error.
+# been delivered. Once newer images have pushed that image out of the publisher's queue, it can't be sent again, and
+# neither side raises an error.
 #
-# | messages | depth of the publisher |
+# | kind of message | publisher's queue depth |
 # |---|---|
-# | a state, such as a pose or a camera image, of which only the newest counts | 1 to 10 |
-# | a burst in which each message counts, such as the parts of a map | at least the length of the burst |
+# | states, such as poses or camera images: only the newest message is useful | 1 to 10 |
+# | bursts, such as the parts of a map: every message counts | at least the number of messages in the burst |
 #
 # With small messages, the publisher's depth hardly matters, because each message is usually on its way before the next
 # one is published. That's why you don't notice the problem in tests with small messages.
 #
-# These notebooks use only the loopback network, but by default, Fast DDS also uses shared memory. We measured both,
-# using three bursts each of 300 kB and 900 kB images. Every time, images were lost at depths 1 and 10, but not at depth
-# 100.
+# These notebooks use only the loopback network, but by default, Fast DDS also uses shared memory. We measured both
+# transports, each with three bursts of 300 kB images and three bursts of 900 kB images. Every time, images were lost at
+# depths 1 and 10, but not at depth 100.
 
 # %% [markdown]
 # ## Look inside
@@ -115,7 +115,7 @@ reveal("a-burst-of-pictures", arrived=one)
 # ### Image messages
 #
 # An `Image` message has a header, a few fields that describe the layout of the pixels, and one long array of pixel
-# data. This camera's images are 16 pixels wide and 12 pixels high.
+# data. The next cell records a tiny camera, whose images are only 16 pixels wide and 12 pixels high.
 
 # %%
 from lesson_nodes import tiny_camera
@@ -153,7 +153,7 @@ show(
 
 # %% [markdown]
 # The data is just a sequence of 576 numbers, and `width`, `height`, and `encoding` define their meaning. If one of
-# these fields is wrong, no other program can read the image.
+# these fields is wrong, other programs can't interpret the image correctly.
 #
 # **Your turn.** The rows follow one another, starting at the top. Each pixel takes up three numbers. Where in `data`
 # does the pixel at row 5, column 3 begin? Rows and columns are counted from 0.
@@ -168,8 +168,8 @@ yours(begin, 249, "(5 * image['width'] + 3) * 3")
 # %% [markdown]
 # ### Richer message types
 #
-# A `Float32` message doesn't specify a unit, a time, or a source. `sensor_msgs` has types that do. You fill them field
-# by field, as with any other message:
+# A `Float32` message doesn't specify a unit, a time, or a source. `sensor_msgs` has types that do. You fill them in
+# field by field, like any other message:
 
 # %% id="with-meaning"
 import math
@@ -201,14 +201,14 @@ print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
 # These messages have timestamps and names, and their definitions specify the units. Set unknown values to `nan`
-# *yourself*, because these fields also start at 0.0. Other people's dashboards and loggers can then interpret your
-# messages.
+# *yourself*, because these types' numeric fields start at 0.0, too. Other people's dashboards and loggers can then
+# interpret your messages.
 
 # %% [markdown]
 # ### Where 0.0 comes from
 #
-# In lesson 03, an `int` in a float field arrived as 0.0. This build reads eight bytes of the object, at the position
-# where a Python float stores its value. The next cell reads those eight bytes.
+# In lesson 03, an `int` in a float field arrived as 0.0. This course's build of ROS 2 reads eight bytes of the `int`
+# object, at the position where a Python float stores its value. The next cell reads those eight bytes.
 
 # %%
 import ctypes
@@ -227,7 +227,7 @@ print("which in 32 bits is", ctypes.c_float(eight_bytes_of(80)).value)
 
 # %% [markdown]
 # `np.float64` is a subclass of Python's `float`, so it stores its value at the same position. `np.float32` isn't, as
-# you can see from the base classes of the two.
+# the two types' base classes show:
 
 # %%
 for number in (np.float64(80), np.float32(80)):
@@ -236,10 +236,10 @@ for number in (np.float64(80), np.float32(80)):
 # %% [markdown]
 # ### Lines from other programs
 #
-# Much code on the web is for ROS 1, for C++, or for a full ROS 2 installation. And in your own code, you may misspell a
-# name. Each line below looks right but raises an exception here. The last one is an `async` callback that awaits
-# `asyncio.sleep`. It fails because rclpy runs the coroutine itself, rather than in an asyncio event loop. We run the
-# lines in a separate thread, because this notebook's main thread runs asyncio.
+# A lot of the code on the web is for ROS 1, for C++, or for a full ROS 2 installation. Your own code can be wrong, too,
+# for example if you misspell a name. Each line below looks right but raises an exception here. The last line shows what
+# happens if an `async` callback awaits `asyncio.sleep`. It fails because rclpy runs the coroutine itself, rather than
+# in an asyncio event loop. We run the lines in a separate thread, because this notebook's main thread runs asyncio.
 
 # %% id="lines-of-others"
 import asyncio
@@ -268,8 +268,9 @@ with ThreadPoolExecutor(1) as thread:
         print(f"{line}: {type(error).__name__}: {error}".splitlines()[0])
 
 # %% [markdown]
-# Only some of these error messages say what to write instead. The third one is empty: rclpy checks that the policy is a
-# member of its enum, but its `assert` has no message. The [error museum](error_museum.md) has a fix for each one.
+# Only some of these error messages tell you what to write instead. The third one is empty: rclpy asserts that the
+# policy is a member of the right enum, but the `assert` statement has no message. The [error museum](error_museum.md)
+# has a fix for each one.
 
 # %% [markdown]
 # ## Take away

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 04 · Subscriptions and callbacks
 #
-# How does a robot react to its own sensors? A robot that only publishes can't, so it walks into walls. To stop in time,
-# its program needs a subscription, and a callback that handles each message.
+# How does a robot react to its own sensors? A robot that only publishes can't, so it walks into walls. To make the
+# robot stop in time, its program needs a subscription, and a callback that handles each message.
 #
 # - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 03
@@ -40,7 +40,9 @@ stop()
 #
 # The first line creates the **subscription**. Its arguments are the message type, the topic, the method to call, and a
 # *depth*, which Experiment 1 explains. The method is the **callback**: you write it, and rclpy calls it once for each
-# message. In the cell above, set `close_m` to `2.5` and run the cell again.
+# message.
+#
+# Now set `close_m` to `2.5` in the first code cell, and run that cell again.
 
 # %% [markdown] prediction="five-distances"
 # ## Predict
@@ -60,16 +62,16 @@ stop()
 #
 # - **a** None: without spinning, `sensor` sends nothing.
 #   when `by_black_box == 0 and by_guard_before_spin == 0`
-#   ✗ `publish` hands the message to DDS, which sends it in its own threads. Publishing doesn't require spinning.
+#   ✗ `publish` hands the message to DDS, which sends it whether or not the node is being spun.
 # - **b** Only the black box. But if you spin `guard` later, it handles its five messages, too.
 #   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard == 5`
 #   ✓ The messages reached both nodes. Those for `guard` waited in its subscription's queue until you spun the node.
-# - **c** Both: each callback runs as soon as its message arrives.
+# - **c** The black box and `guard`: each callback runs as soon as its message arrives.
 #   when `by_black_box == 5 and by_guard_before_spin == 5`
 #   ✗ A message that arrives is put into a queue. Its callback runs only when a thread spins the node.
 # - **d** Only the black box. The messages that arrived before you spun `guard` are lost.
 #   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard < 5`
-#   ✗ The queue of `guard` has room for ten messages. Only five arrived, so it dropped none.
+#   ✗ The guard's queue has room for ten messages. Only five arrived, so it dropped none.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -79,8 +81,8 @@ predict("five-distances")
 # %% [markdown]
 # ## Run it
 #
-# Start the black box first. The cell after that creates the two nodes. The guard's callback appends each distance to a
-# list.
+# Start the black box first. The second cell creates the other two nodes. The guard's callback appends each distance to
+# a list.
 
 # %%
 from lesson_nodes import black_box
@@ -122,8 +124,8 @@ sensor, guard = fresh(Sensor), fresh(Guard)
 print("the list of the guard:", guard.heard)
 
 # %% [markdown]
-# Programs need a moment to discover each other. So the next cell waits for both subscriptions, the guard's and the
-# black box's, before it publishes the five distances.
+# Programs need a moment to discover each other. So the next cell waits for both subscriptions before it publishes the
+# five distances.
 #
 # [the same without helpers: start, init, fresh, run]
 
@@ -163,8 +165,8 @@ stop()
 # %% [markdown]
 # ## Look inside
 #
-# Receiving and handling a message are two separate steps. First, the message **arrives**: DDS delivers it to your
-# program, using its own threads. Later, the message is **handled**: your callback runs in your thread, while that
+# Receiving and handling a message are two separate steps. First, the message **arrives**: DDS, which has its own
+# threads, delivers it to your program. Later, the message is **handled**: your callback runs in your thread, while that
 # thread is inside `spin`. In between, the message waits in a **queue**.
 #
 # A callback can take a second argument, which contains information *about* the message, such as the time when it was
@@ -206,7 +208,7 @@ print("received before the spin:", in_queue)
 print("handled before the spin: ", handled)
 
 # %% [markdown]
-# Play the recording. Each number is a message. Later lessons use this drawing again.
+# Play the recording. Each number is a message. Later lessons use this kind of diagram again.
 
 # %% id="machine"
 show_machine(
@@ -217,7 +219,7 @@ show_machine(
 )
 
 # %% [markdown]
-# Read the drawing from left to right. DDS puts each message into the **queue**, whether or not the node is being spun.
+# Read the diagram from left to right. DDS puts each message into the **queue**, whether or not the node is being spun.
 # Inside `spin`, the **executor** waits on the **wait set**, which lists the node's subscriptions, timers, and other
 # sources of work. When a message is waiting, the executor takes the oldest one, and the spinning thread runs your
 # callback. **Publishing and receiving don't need `spin`, but your callback does.**
@@ -355,8 +357,8 @@ show(
 # with depth 100 received all 60 images, so no message gets lost just because the node is busy. (The publisher's depth
 # is for retransmission and makes no difference here.)
 #
-# **Your turn.** A camera takes 20 images a second, and a reader should keep the last 1.5 s of them. Choose the reader's
-# depth. The cell publishes 60 images and checks the first one that the reader gets.
+# **Your turn.** A camera takes 20 images a second, and a reader's queue should hold the images from the last 1.5 s.
+# Choose the reader's depth. The cell publishes 60 images and checks the first one that the reader gets.
 
 # %% id="your-depth"
 from workbook.lesson import yours
@@ -378,8 +380,8 @@ yours(first, 31, "1.5 s at 20 images a second are 30 images: numbers 31 to 60.")
 # %% [markdown] prediction="age-of-a-message"
 # ### Experiment 2: the age of a message
 #
-# The distance sensor publishes every 0.05 s. This guard takes 0.2 s to handle a message. Its queue depth is 50, and it
-# runs for four seconds. How old is the last distance that it handles?
+# The distance sensor publishes every 0.05 s. A slow guard takes 0.2 s to handle each of its messages. Its queue depth
+# is 50, and it runs for four seconds. How old is the last distance that it handles?
 #
 # - **a** More than a second, and the delay keeps growing.
 #   when `last_age_s >= 1.0`
@@ -396,7 +398,7 @@ yours(first, 31, "1.5 s at 20 images a second are 30 images: numbers 31 to 60.")
 predict("age-of-a-message")
 
 # %% [markdown]
-# The callback's `info` argument also contains the time when the message was sent, in nanoseconds.
+# The `info` argument also contains the time when the message was sent, in nanoseconds.
 #
 # **Your turn.** How old is this message when it's handled?
 
@@ -464,26 +466,26 @@ print("depth  1: a distance was", about(fresh_ms, "ms", between=(0.1, 200)))
 print("time from program to program:", about(travel_ms, "ms", between=(0.05, 100)))
 
 # %% [markdown]
-# Only a small part of a message's age is travel time. The rest is time spent in the queue. During each callback, one
-# message leaves the queue and four new ones arrive. So the age grows until the full queue holds 2.5 s of messages (50
-# times 0.05 s).
+# Only a small part of a message's age is travel time. The rest is time in the queue. During each callback, one message
+# leaves the queue and four new ones arrive. So the age grows until the full queue holds 2.5 s of messages (50 times
+# 0.05 s).
 #
-# If the robot walks toward the wall at 1 m/s, the guard handles distances that are more than two meters too large. With
-# a depth of 1, the guard skips three out of every four distances, but each one that it handles is current. The right
-# depth depends on the kind of message:
+# Suppose the robot walks toward the wall at 1 m/s. Then a distance that's 2.5 s old is 2.5 m too large. With a depth of
+# 1, the guard skips three out of every four distances, but each one that it handles is current. The right depth depends
+# on the kind of message:
 #
 # | the message | depth | because |
 # |---|---|---|
 # | a state: distance, battery, camera image | small, 1 to 10 | only the newest message is useful |
 # | an event: a button press, a command, a fault | large enough for the longest burst | every message counts |
 #
-# No depth makes a slow callback faster. Lesson 10 deals with slow callbacks.
+# Changing the depth doesn't make a slow callback faster. Lesson 10 deals with slow callbacks.
 
 # %% [markdown] prediction="wrong-hint"
 # ### Experiment 3: what the type hint does
 #
 # In `on_distance(self, message: Float32)`, the hint names the message type. Suppose you copy the callback from another
-# node, in which the hint is `String`. The subscription's type is still `Float32`. What does the callback receive?
+# node, where the hint is `String`. The subscription's type is still `Float32`. What does the callback receive?
 #
 # - **a** Nothing: `create_subscription` raises an error, because the two types differ.
 #   ✗ `create_subscription` checks the message type that you pass and the number of arguments that the callback takes.
@@ -524,9 +526,9 @@ print("the callback got", got)
 reveal("wrong-hint", got=got)
 
 # %% [markdown]
-# The first argument of `create_subscription` determines the type of the message. The type hint is for anyone who reads
-# the code: you, your editor, and mypy (lesson 07). If the callback had called `message.data.upper()`, the editor would
-# have shown no error. But the program would have ended with `'float' object has no attribute 'upper'`.
+# The first argument of `create_subscription` determines the message type. The type hint is for the code's readers: you,
+# your editor, and mypy (lesson 07). If the callback had called `message.data.upper()`, the editor would have shown no
+# error. But the program would have crashed with `'float' object has no attribute 'upper'`.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -550,8 +552,8 @@ class Counter(Node):
 counter = fresh(Counter)
 
 # %% [markdown]
-# As the error says, a callback takes either one argument, the message, or two, the message and its `info`. (`self`
-# doesn't count.) So accept the message even if you ignore it: `def on_distance(self, message: Float32)`.
+# As the error message says, a callback takes either one argument (the message) or two (the message and its `info`).
+# (`self` doesn't count.) So accept the message even if you ignore it: `def on_distance(self, message: Float32)`.
 #
 # **Wrong arguments to `create_subscription`.** The next three calls don't work, either. Which error do you expect from
 # each?
@@ -585,8 +587,9 @@ for label, attempt in attempts.items():
 # %% [markdown]
 # - `on_distance()` *calls* the function right away, without a message. Leave out the parentheses to pass the function
 #   itself.
-# - The missing `qos_profile` is the depth: how many messages can wait in the queue. `10` is a common choice.
-# - `float` is a Python type, but a topic carries messages such as `Float32`. (Ignore the rest, which is about ROS 1.)
+# - The missing `qos_profile` is the depth: how many messages can wait in the queue.
+# - `float` is a Python type, but a topic carries messages such as `Float32`. (In the full error message, ignore the
+#   part about ROS 1.)
 #
 # **A subscription with a different type.** The topic name is right, the robot is publishing, and the node is being
 # spun. Yet the callback never runs.
@@ -615,8 +618,8 @@ await run(watcher, seconds=2)
 print("callbacks in two seconds:", watcher.heard)
 
 # %% [markdown]
-# The robot publishes twenty messages a second, but this subscription receives none of them. With Fast DDS, which this
-# course uses, neither program gets an error or a warning.
+# The robot publishes twenty messages a second, but this subscription receives none. With Fast DDS, neither program gets
+# an error or a warning.
 
 # %%
 from workbook.ros import topic_info
@@ -626,8 +629,8 @@ topic_info("/robot/joint_positions")
 # %% [markdown]
 # The robot publishes arrays, but this node subscribes to single numbers. DDS connects a publisher and a subscription
 # only if both the topic name **and** the type match. So if you receive no messages, check three things: is the node
-# being spun, is the name right, and is the type right? `topic_info` answers the last two. (Lesson 13 adds a fourth, the
-# QoS.)
+# being spun, is the name right, and is the type right? `topic_info` answers the last two questions. (Lesson 13 adds a
+# fourth, about QoS.)
 #
 # **Your turn.** Make the watcher subscribe with the right type. The cell counts how often its callback runs, up to 20.
 
@@ -645,9 +648,9 @@ yours(heard, 20, "topic_info shows the publisher's type.")
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** A callback often handles messages from one topic and publishes to another. The node below is a
-# brake. It publishes `stop` once when the wall is closer than half a meter, and `go` once when the way is clear again.
-# To avoid repeating itself, it stores the last published word in an attribute.
+# **Worked example.** A callback often handles messages from one topic and publishes to another. This brake node
+# publishes `stop` once when the wall is closer than half a meter, and `go` once when the way is clear again. To avoid
+# repeating itself, it stores the last published word in an attribute.
 
 # %%
 STOP_BELOW_M = 0.5
@@ -813,14 +816,14 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 #
 # The camera sends 30 images a second, but the node can handle only 12, so the camera's queue is always full. Each image
 # that the callback gets is the oldest of the last ten, so it's a third of a second old. With a depth of 1, the image is
-# as fresh as possible. The node then skips images, but only the newest one is useful.
+# as fresh as possible. The node then skips images, but that's fine, because only the newest one is useful.
 #
 # A button press is an event, so it must not be lost. A depth of 10 is enough: the button has its own queue, so images
 # can't push out its messages. But the callbacks run one after another, so the button's callback may run 80 ms late, or
-# even later. No depth changes that. For the battery, a depth of 1 is enough.
+# even later. Changing the depth doesn't help. For the battery, a depth of 1 is enough.
 #
 # In a good answer, the button's callback runs in a different thread from the camera's (lesson 10), or in a separate
-# node. The answer also warns that an emergency stop shouldn't depend on a topic alone.
+# program. The answer also warns that an emergency stop shouldn't depend on a topic alone.
 #
 # </details>
 #
@@ -828,8 +831,9 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 #
 # Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
-# - **When the queue is full, the new message is dropped:** The oldest message is dropped, and the newest ones wait.
-# - **Each subscription has its own thread:** `rclpy.spin` runs all of a node's callbacks in one thread, one after
+# - **When the queue is full, the new message is dropped:** No, the oldest message is dropped, and the new one joins the
+#   queue.
+# - **Each subscription has its own thread:** No, `rclpy.spin` runs all of a node's callbacks in one thread, one after
 #   another.
 #
 # </details>
@@ -842,8 +846,8 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # - Publishing and receiving don't need `spin`, but callbacks do. Without it, they don't run, and you get no error.
 # - Up to `depth` messages wait in the queue. When it's full, each new message replaces the oldest. Choose a small depth
 #   for states and a large one for events.
-# - What counts is the type that you pass to `create_subscription`, not the type hint. If the type or the topic name
-#   doesn't match the publisher's, no message arrives. `topic_info` shows both.
+# - The type that you pass to `create_subscription` determines the message type; the type hint doesn't. If the type or
+#   the topic name doesn't match the publisher's, no message arrives. `topic_info` shows both.
 # - Pass the callback without parentheses. The node stores the subscription, so you don't have to.
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)

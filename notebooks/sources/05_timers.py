@@ -10,7 +10,7 @@
 # - **You will be able to:**
 #   - make a node repeat its work at a fixed rate
 #   - convert a frequency to a period
-#   - use several rates in one node
+#   - run callbacks at several rates in one node
 #   - predict how a slow callback affects a node's timers
 # - **Not covered:** how `spin` works (lesson 06), and how to do slow work properly (lesson 10)
 
@@ -43,7 +43,7 @@ await knob(
 # %% [markdown] prediction="loop-and-timer"
 # ## Predict
 #
-# A robot reads its tilt sensor ten times a second. Reading takes 10 ms. Here are two ways to do it fifty times:
+# A robot reads its tilt sensor ten times a second. Each reading takes 10 ms. Here are two ways to take fifty readings:
 #
 # ```python
 # # A: a loop that sleeps
@@ -61,7 +61,7 @@ await knob(
 # `create_timer(0.1, read_tilt)` creates a timer with a period of 0.1 s. While `spin` runs, it calls `read_tilt` each
 # time the timer is due.
 #
-# Fifty periods of 0.1 s add up to 5.0 s. How long does each program take?
+# Fifty periods of 0.1 s add up to 5.0 s. How long does each program take for its fifty readings?
 #
 # - **a** Both take 5.0 s, because the period is 0.1 s in both.
 #   when `loop_s < 5.5 and timer_s < 5.5`
@@ -260,7 +260,7 @@ print("longest: ", about(longest_ms, "ms", between=(100, 300), digits=3))
 # ### A myth, tested
 #
 # You may read that you must store a timer in an attribute, as in `self.timer = self.create_timer(...)`, because
-# otherwise, the garbage collector would remove it. The node above stored nothing, and its timer worked. The next cell
+# otherwise, the garbage collector would remove it. The node above stored nothing, yet its timer worked. The next cell
 # also runs the garbage collector.
 
 # %% id="nothing-kept"
@@ -293,8 +293,8 @@ print("ticks after the garbage collection:", forgetful.ticks)
 #
 # At one tick per second, counting sixty ticks takes a minute. **Simulated time** makes this faster: a ROS node can read
 # the time from the topic `/clock` instead of the computer's clock. `record` starts a program in this mode and publishes
-# a `/clock` that runs ten to twenty times as fast as the computer's clock. So a minute passes for the node within a few
-# seconds. We call the time on `/clock` **robot time**.
+# a time on `/clock` that runs ten to twenty times as fast as the computer's clock. So a minute passes for the node
+# within a few seconds. In this course, we call this simulated time **robot time**.
 
 # %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
@@ -348,7 +348,7 @@ yours(beeps, 30, "Divide 1 by the frequency.")
 # ### Experiment 2: two timers in one node
 #
 # Now the node blinks at 1 Hz and beeps at 0.5 Hz. Every 2 s, both timers are due at the same moment. The node has one
-# thread, so it can run only one callback at a time. What do we count in a minute?
+# thread, so it can run only one callback at a time. How many blinks and beeps do we count in a minute?
 #
 # - **a** 60 blinks and 30 beeps: one callback waits for the other, but both run.
 #   when `blinks > 50 and 20 < beeps < 40`
@@ -416,8 +416,9 @@ show(
 #   ✗ A timer doesn't count the ticks that it missed, so it has nothing to catch up on.
 # - **b** They come on schedule, because a timer can interrupt the beep.
 #   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s < 0.5`
-#   ✗ In this thread, the executor runs one callback after the other. It can't interrupt a running callback.
-# - **c** They all come, but each one from then on is late.
+#   ✗ The node has only one thread. There, the executor runs one callback after the other, and it can't interrupt a
+#   running callback.
+# - **c** They all come, but every blink from then on is late.
 #   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s >= 0.5`
 #   ✗ A loop that sleeps would behave like this. A timer returns to its schedule.
 # - **d** One is late, and the others are dropped.
@@ -468,7 +469,7 @@ print("shortest time between two blinks:    ", closest)
 # A red frame (✗) marks each gap between blinks that's longer than one and a half periods. The small marks show the
 # schedule, and a mark without a blink is a missed tick.
 #
-# The next drawing shows how the executor handles the two timers. (Lesson 04 explains how to read it.) Unlike a
+# The next diagram shows how the executor handles the two timers. (Lesson 04 explains how to read it.) Unlike a
 # subscription, a timer has no queue, so at most one of its ticks can wait.
 
 # %% id="machine"
@@ -482,9 +483,9 @@ show_machine(
 )
 
 # %% [markdown]
-# The **wait set** lists what the executor waits for, such as the two timers. During a beep, the wait set's frame is
-# dashed, because the executor isn't waiting: its only thread is busy with `beep`. One blink is waiting, and there's no
-# room for the following ticks.
+# The **wait set** lists everything that the executor waits for, including the two timers. During a beep, the wait set's
+# frame is dashed, because the executor isn't waiting: its only thread is busy with `beep`. One blink is waiting, and
+# any further ticks are lost, because only one can wait.
 #
 # Five blinks were due during the beep, but four of them never came. After the beep, the blink timer is overdue, so its
 # callback runs once. Then the timer returns to its schedule. The missed ticks are **dropped**.
@@ -534,8 +535,9 @@ await run(eager, seconds=1)
 
 # %% [markdown]
 # You see one blink, followed by an error that mentions `NoneType`. `self.blink()` *calls* the method while the node is
-# being created. The method returns `None`, so the timer's callback is `None`. rclpy raises the error at the first tick
-# rather than on the line with the mistake. Without the parentheses, you pass the method itself:
+# being created. The method returns `None`, so the timer's callback is `None`. rclpy doesn't raise the error until the
+# first tick, so the traceback doesn't point to the line with the mistake. Without the parentheses, you pass the method
+# itself:
 
 
 # %%
@@ -556,7 +558,7 @@ await run(patient, seconds=5, until=lambda: patient.blinks == 3)
 print("blinks:", patient.blinks)
 
 # %% [markdown]
-# **A node that isn't spun.** This node has a timer, and no name is misspelled, but the callback never runs.
+# **A node that isn't spun.** This node has a timer, and all names are spelled correctly, but the callback never runs.
 
 # %%
 silent = fresh(Patient)
@@ -574,8 +576,8 @@ print("blinks:", silent.blinks)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** A guide robot takes a step every half second and looks around every 2 s. Each of these rates needs one
-# period, one timer, and one method.
+# **Worked example.** A guide robot takes a step every half second and looks around every 2 s. Each of the two tasks has
+# its own period, timer, and method.
 
 # %%
 STEP_PERIOD_S = 1 / 2.0  # 2 Hz
@@ -712,11 +714,11 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # %% [markdown]
 # ## Talk it through
 #
-# Give this prompt to an AI assistant, or discuss it with a colleague. Write down your own answer first.
+# Write down your own answer first. Then give this prompt to an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot reads a distance sensor
-# at 20 Hz and saves a camera picture once a second, both with timers in one node.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot reads a distance
+# sensor at 20 Hz and saves a camera image once a second, both with timers in one node.
 # Saving takes between 30 and 200 ms. What will the distance readings look like, and
 # what would you change? Make sure that every rclpy function you use exists in Jazzy.
 # ```
@@ -736,11 +738,11 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# A reply may contain one of these two statements. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **Missed ticks come later, in a burst:** No, they're dropped.
-# - **Use a rate: `rate.sleep()` in the callback:** This call waits for a timer, but the thread that would run that
-#   timer is itself waiting. So in a callback that `rclpy.spin` runs, `rate.sleep()` never returns.
+# - **Keep the rate with `rate.sleep()` in the callback:** No. This call waits for a timer, but the thread that would
+#   run that timer is itself waiting. So in a callback that `rclpy.spin` runs, `rate.sleep()` never returns.
 #
 # </details>
 

@@ -12,9 +12,9 @@ TITLE = "How to do this without the helper functions"
 _BOX = "<details><summary>{title}</summary>\n\n{inside}\n\n</details>"
 PLAIN = {
     "start": """\
-`start(program, period_s=0.5)` starts one of this course's programs in its own process, and waits until other programs
-can discover its node. `stop()` interrupts it, just as Ctrl-C would. In a terminal, run this command with the program's
-name in place of `NAME`:
+`start(program, period_s=0.5)` starts one of this course's programs in its own process, with the parameter `period_s`
+set to 0.5. It then waits until other programs can find the new one. `stop()` ends the program as Ctrl-C would. To start
+it in a terminal instead, run this command with the program's name in place of `NAME`:
 
 ```bash
 python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
