@@ -9,7 +9,7 @@
 #   - adding a third topic to a working node without disturbing the other two
 #   - converting a rate in hertz to a timer period
 #   - filling the array field of a Float32MultiArray message
-#   - simulating a sensor whose readings, angles in radians, change over time
+#   - simulating a sensor whose readings (angles in radians) change over time
 # out_of_scope:
 #   - reading real encoders or commanding motors
 #   - named joints (JointState) and URDF, which come in a later lesson
@@ -18,20 +18,21 @@
 # %% [markdown]
 # # Exercise 09 · The joint positions
 #
-# Your humanoid already reports its state: *operational*, battery at 97 %. But the operator can't see how its body
-# moves. The operator's screen shows a figure of the robot with twelve joints, but the figure doesn't move, because no
-# node publishes the joint angles. Add a third topic to the status publisher, so that the figure moves with the robot.
+# Your humanoid already reports its status, *operational*, and its battery charge, 97 %. But the operator can't see how
+# its body moves. The operator's screen shows a figure of the robot with twelve joints, and that figure stays frozen,
+# because no node publishes the joint angles. Add a third topic to the status publisher so that the figure moves along
+# with the robot.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [09](../notebooks/09_joint_positions.ipynb). The
-# starter below contains the status publisher from lesson [08](../notebooks/08_humanoid_status_publisher.ipynb).
+# starter code below contains the status publisher from lesson [08](../notebooks/08_humanoid_status_publisher.ipynb).
 #
 # ## What to build
 #
 # | topic | type | rate | content |
 # |---|---|---|---|
-# | `/robot/joint_positions` (new) | `Float32MultiArray` | 0.5 Hz | 12 angles in rad, within ±π, that move |
-# | `/robot/status` (as it is) | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
-# | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, falling, never rising |
+# | `/robot/joint_positions` (new) | `Float32MultiArray` | 0.5 Hz | 12 angles in rad, each within ±π, that change over time |
+# | `/robot/status` (unchanged) | `String` | 1 Hz | `operational` while the battery has charge, `error` once it's empty |
+# | `/robot/battery` (unchanged) | `Float32` | 0.5 Hz | the charge in percent, from 0 to 100, which falls over time and never rises |
 #
 # The screen expects the twelve angles in this order:
 #
@@ -41,34 +42,33 @@
 # - right hip, right knee, right ankle
 #
 # The message types are from `std_msgs.msg`. You choose how the simulated joints move: a sine wave, a random walk, or a
-# waving hand. At least two joints must change from message to message. (Up to one message in four may repeat the
-# previous one, for example when a movement reverses.)
+# waving hand. At least two of the angles must change from one message to the next. (Up to a quarter of the messages may
+# repeat the previous message's angles, for example when a movement reverses.)
 #
 # ## What is judged
 #
-# Your program runs in its own process for {{plan.simulated_s}} s of simulated time. The judge checks only the messages that
-# your program publishes.
+# Your program runs in its own process for {{plan.simulated_s}} s of simulated time. The judge checks only the messages
+# that your program publishes.
 #
 # | points | criterion |
 # |---:|---|
-# | 2 | `/robot/joint_positions` exists and carries `Float32MultiArray` |
+# | 2 | `/robot/joint_positions` exists and carries `Float32MultiArray` messages |
 # | 1 | every message has exactly 12 values |
 # | 1 | every value is a finite number within ±π rad |
-# | 1 | at least two joints move from message to message |
-# | 2 | the joint positions are published at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` is unchanged (0.8 to 1.2 Hz, no gap over 1.5 s; the word fits the charge) |
-# | 1 | `/robot/battery` is unchanged (0.4 to 0.6 Hz, no gap over 3 s; falling) |
-# | 1 | the program is still running when the judge stops watching |
+# | 1 | at least two joint angles change from one message to the next |
+# | 2 | the joint positions are published at a steady 0.5 Hz (0.4 to 0.6 Hz, no gap over 3 s) |
+# | 1 | `/robot/status` works as before (0.8 to 1.2 Hz, no gap over 1.5 s; the status matches the battery charge) |
+# | 1 | `/robot/battery` works as before (0.4 to 0.6 Hz, no gap over 3 s; the charge falls) |
+# | 1 | the program is still running at the end of the run |
 #
-# The program must start: if it never creates a publisher, the feedback explains why, and the rest isn't judged. You may
-# structure the program any way you like: as one class or several nodes, with any executor.
+# Your program must get as far as creating a publisher. If it doesn't, the feedback explains why, and nothing else is
+# judged. You may structure the program any way you like: as one class or several nodes, with any executor.
 #
 # **Not judged:**
 #
 # - motors, real encoders, URDF, other topics
-# - the order of the angles: the screen depends on it, but the judge doesn't check it
-# - the battery's initial charge, and how fast it drains. (If the battery lasts longer than the judge watches, that's
-#   fine.)
+# - the order of the angles (the screen depends on it, but the judge doesn't check it)
+# - the battery's initial charge, and how fast it drains. (It's fine if the battery isn't empty by the end of the run.)
 # - how your program ends on Ctrl-C
 # %% [answer]
 """Simulate a humanoid robot that publishes its status, its battery charge, and the angles of its twelve joints."""

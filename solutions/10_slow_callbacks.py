@@ -7,7 +7,7 @@
 # clock: wall
 # objectives:
 #   - running slow code where it doesn't delay other callbacks
-#   - letting two of a node's callbacks, and no others, run at the same time
+#   - letting the heartbeat run at the same time as a plan, but never two plans at the same time
 #   - keeping results correct when several requests arrive at the same time
 # out_of_scope:
 #   - a faster planner; do not change it
@@ -17,10 +17,10 @@
 # %% [markdown]
 # # Exercise 10 · A heartbeat that continues while the robot plans
 #
-# Your humanoid serves tea. Before the robot reaches out, a planner works out how far to bend the elbow. Each step of
-# the search queries the collision checker, so one plan takes {{PLANNING_S}} s. But the safety system expects a
-# heartbeat ten times a second, and if none arrives for half a second, it cuts the power. So whenever a guest asks for
-# tea, the robot goes limp. Change the program so that planning no longer stops the heartbeat.
+# Your humanoid serves tea. Before the robot reaches out, a planner works out how far to bend the elbow. The planner
+# searches step by step, and each step queries the collision checker, so one plan takes {{PLANNING_S}} s. But the safety
+# system expects a heartbeat ten times a second, and if none arrives for half a second, it cuts the power. So whenever a
+# guest asks for tea, the robot goes limp. Change the program so that planning no longer stops the heartbeat.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [10](../notebooks/10_slow_callbacks.ipynb).
 #
@@ -29,18 +29,18 @@
 # | topic | direction | type | rate | content |
 # |---|---|---|---:|---|
 # | `/robot/heartbeat` | published | `String` | 10 Hz | a sign of life, for example `alive` |
-# | `/robot/plan_request` | received | `Float32` | | requested distance from the shoulder to the hand, in m |
-# | `/robot/plan` | published | `Float32` | | the elbow's bend for this distance, in rad |
+# | `/robot/plan_request` | received | `Float32` | | the requested distance from the shoulder to the hand, in m |
+# | `/robot/plan` | published | `Float32` | | the elbow's bend for the requested distance, in rad |
 #
 # - Publish one plan for every request, in the order of the requests. Sometimes, four requests arrive within half a
 #   second. There's only one collision checker, so only one search may run at a time, and the other requests have to
 #   wait. But you must not lose any of them.
 # - If the same distance is requested again, treat that as a new request, and run the planner again. If a distance is
-#   beyond the arm's reach, the planner returns a straight arm. Publish that plan, too.
+#   beyond the arm's reach, the planner returns the bend of a straight arm. Publish that plan, too.
 # - We provide `ElbowPlanner`. **Don't change it.** It spends most of its time waiting, so it doesn't keep the processor
 #   busy. A planner object stores the state of only one search: if two searches run at the same time, they overwrite
 #   each other's state.
-# - You may change everything else.
+# - You may change anything else.
 #
 # ## What is judged
 #
@@ -50,17 +50,17 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/robot/heartbeat` carries `String` |
-# | 2 | {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the heartbeats come; typically there are {{TYPICALLY_S.0}} to {{TYPICALLY_S.1}} s between two (the mean over five), even while the robot plans |
-# | 2 | never more than {{LONGEST_SILENCE_S}} s without a heartbeat |
-# | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
-# | 2 | each plan is the one that `ElbowPlanner` finds, to {{TOLERANCE_RAD}} rad, and comes {{SOONEST_S}} s after its request, or later |
-# | 1 | there is one plan for every request, in order, one search at a time |
-# | 1 | the program is still running when the judge stops watching |
+# | 1 | `/robot/heartbeat` carries `String` messages |
+# | 2 | there are {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected heartbeats, typically {{TYPICALLY_S.0}} to {{TYPICALLY_S.1}} s apart (a mean over five intervals), even while the robot plans |
+# | 2 | the heartbeat is never silent for more than {{LONGEST_SILENCE_S}} s |
+# | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` messages on `/robot/plan` |
+# | 2 | each plan matches `ElbowPlanner`'s result to within {{TOLERANCE_RAD}} rad and is published at least {{SOONEST_S}} s after its request |
+# | 1 | there is one plan for every request, the plans are in the order of the requests, and only one search runs at a time |
+# | 1 | the program is still running at the end of the run |
 #
-# **Not judged:** a faster planner, services, the text of a heartbeat, anything after the nine seconds, and how your
-# program ends on Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only the planner's results and
-# how long they take.
+# **Not judged:** making the planner faster, services, the text of a heartbeat, anything after the nine seconds, and how
+# your program ends on Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only the planner's
+# results and how long they take.
 # %% [answer]
 """Publish a humanoid's heartbeat, and plan its elbow's bend on request."""
 

@@ -17,10 +17,11 @@
 # %% [markdown]
 # # Exercise 11 · A monitor that doesn't poll
 #
-# Your humanoid's hand has a touch-sensitive skin that gives each touch a number. A monitor forwards every number to the
-# grip control, which must loosen the grip before an egg breaks. But the log shows missing numbers, and some touches
-# reach the grip control only after the shell has cracked. You open the program and find a loop that polls: five times a
-# second, it checks which touch arrived last. Rewrite the program so that it doesn't poll.
+# Your humanoid's hand is covered with a touch-sensitive skin that assigns a number to each touch. A monitor forwards
+# every number to the grip controller, which must loosen the grip before the egg in the hand breaks. But some numbers
+# are missing from the log, and some touches reach the grip controller only after the shell has cracked. You open the
+# program and find a loop that polls: five times a second, it checks which touch arrived last. Rewrite the program so
+# that it doesn't poll.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [11](../notebooks/11_polling_against_callbacks.ipynb).
@@ -30,11 +31,12 @@
 # | topic | direction | type | content |
 # |---|---|---|---|
 # | `/robot/touch` | received | `Int32` | the number of a touch, such as 7 |
-# | `/monitor/seen` | published | `Int32` | the number of each touch, once, as soon as the touch arrives |
+# | `/monitor/seen` | published | `Int32` | the number of each touch, published once, as soon as the touch arrives |
 #
-# Touches can arrive one at a time or a dozen at the same moment, and sometimes there are none for several seconds. The
-# skin started counting long before your monitor started. It sometimes skips a number, and it restarts at 1 whenever it
-# is switched on. So the same number can arrive again for a new touch. Report each touch that arrives, and nothing else.
+# Touches can arrive one at a time or about a dozen at the same moment, and sometimes there are none for several
+# seconds. The skin started counting long before your monitor started. It sometimes skips a number, and it starts over
+# at 1 whenever it's switched on. So the same number can arrive again for a new touch. Report each touch that arrives,
+# and nothing else.
 #
 # ## What is judged
 #
@@ -43,17 +45,17 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the program subscribes to `/robot/touch` and publishes on `/monitor/seen`, both `Int32` |
+# | 1 | the program subscribes to `/robot/touch` and publishes on `/monitor/seen`, both with the type `Int32` |
 # | 3 | no touch is missed |
-# | 2 | no touch is reported twice, and the reports are in order |
-# | 2 | of the touches that come alone, three in four are reported within {{ALONE_MS}} ms; of those that come together, half within {{TOGETHER_MS}} ms |
-# | 1 | while no touch comes, the program uses less than {{PROCESSOR_SHARE %}} of a processor |
-# | 1 | the program is still running when the judge stops watching |
+# | 2 | no touch is reported twice, and the reports are in the order of the touches |
+# | 2 | of the touches that arrive alone, at least three in four are reported within {{ALONE_MS}} ms. Of the touches that arrive together, at least half are reported within {{TOGETHER_MS}} ms |
+# | 1 | while no touches arrive, the program uses less than {{PROCESSOR_SHARE %}} of one CPU core |
+# | 1 | the program is still running at the end of the run |
 #
-# **Not judged:** the grip control, lost messages, pauses longer than three seconds, and how your program ends on
-# Ctrl-C. The judge doesn't receive reports that your program publishes before DDS has matched your publisher with the
-# judge's subscription. And it can't distinguish a loop that polls a hundred times a second from a callback. Remove the
-# polling anyway.
+# **Not judged:** the grip controller, messages lost on the way to your program, pauses longer than three seconds, and
+# how your program ends on Ctrl-C. DDS needs a moment to match your publisher with the judge's subscription, and the
+# judge doesn't receive reports that your program publishes before then. The judge can't distinguish a loop that polls a
+# hundred times a second from a callback, either. Remove the polling anyway.
 # %% [answer]
 """Report each touch of the hand."""
 
@@ -176,7 +178,7 @@ if __name__ == "__main__":
 # - `on_touch` receives the message, and it may publish, too: `self.seen_publisher.publish(...)` works in any callback.
 # - Then you no longer need `last`, `reported`, `look`, or the loop in `main`.
 # - Without the loop, the main thread can spin the node itself, so one thread is enough.
-# - Keep the queue depth of 100, because a dozen touches may be waiting at the same time.
+# - Keep the queue depth of 100, because about a dozen touches may be waiting at the same time.
 #
 # What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
@@ -210,8 +212,8 @@ if __name__ == "__main__":
 #   (lesson 10), but you don't need it for a single `publish`.
 # - **A loop around `spin_once(timeout_sec=1.0)`.** `spin_once` waits for messages, so this loop reacts fast and uses no
 #   CPU time while it waits. `rclpy.spin` is the same kind of loop.
-# - **A condition variable.** You can keep the starter's loop if it waits in `condition.wait()` instead of `sleep`, and
-#   the callback notifies it. With a list of all touches, it misses none. But there's little to gain, and much that can
-#   go wrong.
+# - **A condition variable.** You can keep the starter code's loop if it waits in `condition.wait()` instead of `sleep`,
+#   and the callback notifies it. With a list of all touches, it misses none. But there's little to gain, and much that
+#   can go wrong.
 # - **A faster loop.** It reports sooner and uses more CPU time, but it still misses touches that arrive together. No
 #   sleep is short enough.

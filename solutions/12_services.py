@@ -17,11 +17,12 @@
 # %% [markdown]
 # # Exercise 12 · A self-test every second
 #
-# The humanoid can test itself: when its service `/robot/self_test` is called, it moves each joint a little and responds
-# with the result. Usually, the response arrives right away, but sometimes it takes a while. And if the motor controller
-# restarts at the wrong moment, there's no response at all. Write a node that calls the service once a second and
-# reports each result to the control room. The control room also expects a heartbeat from your node five times a second,
-# and it switches the robot off if the heartbeat stops. So the heartbeat must continue, no matter how a call turns out.
+# The humanoid can test itself: when its service `/robot/self_test` is called, the robot moves each joint a little and
+# responds with the result. Usually, the response arrives right away, but sometimes it takes a while. And if the motor
+# controller restarts at the wrong moment, there's no response at all. Write a node that calls the service once a second
+# and reports each result to the control room. The control room also expects a heartbeat from your node five times a
+# second, and it switches the robot off if the heartbeat stops. So the heartbeat must continue, no matter how a call
+# turns out.
 #
 # **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [12](../notebooks/12_services.ipynb).
 #
@@ -30,16 +31,17 @@
 # | name | type | use |
 # |---|---|---|
 # | `/robot/self_test` | service, `std_srvs/srv/Trigger` | your node calls it once a second |
-# | `/robot/health` | topic, `String` | one message for each call: `ok`, `faulty` or `no answer` |
-# | `/robot/heartbeat` | topic, `String` | 5 Hz, whatever happens; any text. The starter has it already |
+# | `/robot/health` | topic, `String` | your node publishes one message for each call: `ok`, `faulty`, or `no answer` |
+# | `/robot/heartbeat` | topic, `String` | your node publishes any text at 5 Hz, whatever happens; the starter code already does this |
 #
-# - When a response arrives, publish `ok` if its `success` field is true, and `faulty` otherwise. (The `message` field
-#   is meant for people. The same text may come with either result.) Report each response only once, and at most
-#   {{TOLD_WITHIN_S}} s after it arrives. Report it even if it's the same as the previous one.
+# - When a response arrives, publish `ok` if its `success` field is true, and `faulty` otherwise. (Don't rely on the
+#   `message` field: it's meant for people, and the same text may come with either result.) Report each response only
+#   once, and at most {{TOLD_WITHIN_S}} s after it arrives. Report it even if the result is the same as the previous
+#   one.
 # - A response may take up to {{MAY_TAKE_S}} s. If it hasn't arrived one second after the call, you can be sure that it
 #   never will. For each call without a response, publish `no answer` once: no earlier than {{MAY_TAKE_S}} s and no
-#   later than {{GIVEN_UP_WITHIN_S}} s after the call. Then keep calling the service. (While you wait for a response,
-#   you may skip one call.)
+#   later than {{GIVEN_UP_WITHIN_S}} s after the call. Then keep calling the service. (While you're waiting for a
+#   response, you may skip the call that would be due next.)
 #
 # ## What is judged
 #
@@ -48,33 +50,33 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the program is still running when the judge stops watching |
-# | 1 | calls of `/robot/self_test` arrive, again and again |
+# | 1 | the program is still running at the end of the run |
+# | 1 | calls to `/robot/self_test` keep arriving |
 # | 1 | there is one call per second, even after a call without a response |
-# | 1 | `/robot/health` exists, carries `String`, and carries only the three words |
-# | 2 | each response is reported: correctly, in time, and once |
-# | 2 | `no answer` is reported in time, and only for calls that got no response |
-# | 2 | the heartbeat is published at 5 Hz, even while a call waits for its response |
+# | 1 | `/robot/health` exists, has the type `String`, and carries only the three words |
+# | 2 | each response is reported correctly, on time, and only once |
+# | 2 | `no answer` is reported on time, and only for calls that got no response |
+# | 2 | the heartbeat is published at 5 Hz, even while your node is waiting for a response |
 #
-# These tolerances allow for busy machines:
+# To allow for busy machines, the judge applies these tolerances:
 #
-# - **Once a second** means that the median pause between calls is {{SHORTEST_PERIOD_S}} to {{LONGEST_PERIOD_S}} s. At
-#   most one pause may be longer than {{PAUSE_S}} s, and all must be shorter than {{LONGEST_PAUSE_S}} s. One exception:
-#   after each call without a response, the pause may be up to {{LONGEST_PAUSE_S}} s. There's also a limit on the number
-#   of calls. Divide the time from the first call to the last by {{SHORTEST_PERIOD_S}} s, and round. After the first
-#   call, you may make at most that many.
+# - **Once a second** means that the median interval between calls is {{SHORTEST_PERIOD_S}} to {{LONGEST_PERIOD_S}} s.
+#   All intervals must be shorter than {{LONGEST_PAUSE_S}} s, and at most one may be longer than {{PAUSE_S}} s. But an
+#   interval that follows a call without a response doesn't count as that one, even if it's longer than {{PAUSE_S}} s.
+#   The number of calls is limited, too. Divide the time from the first call to the last by {{SHORTEST_PERIOD_S}} s, and
+#   round the result to the nearest integer. You may make at most that many calls after the first one.
 # - **A report** may be {{SLACK_S}} s later than stated above, and a single report may even be {{LATER_ONCE_S}} s later.
-#   A `no answer` may be {{LONG_SLACK_S}} s later, or {{SLACK_S}} s earlier. But if every `no answer` is early, the
-#   limit shrinks to {{NEARLY_S}} s.
+#   A `no answer` may come up to {{LONG_SLACK_S}} s later than stated above, or up to {{SLACK_S}} s earlier. But if
+#   every `no answer` is more than {{NEARLY_S}} s early, that counts as an error.
 # - **5 Hz** means that the number of beats is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number, with a
-#   median interval of {{SHORTEST_BEAT_S}} to {{LONGEST_BEAT_S}} s. The last beat must arrive within the last
-#   {{STOPPED_S}} s. While a call waits for its response, {{LEAST_MEANWHILE %}} of the beats are enough.
+#   median interval of {{SHORTEST_BEAT_S}} to {{LONGEST_BEAT_S}} s. The final beat must arrive in the last {{STOPPED_S}}
+#   s of the run. While your node is waiting for a response, {{LEAST_MEANWHILE %}} of the expected beats are enough.
 #
 # You may structure the program any way you like: with callbacks, `await`, threads, or several nodes.
 #
 # **Not judged:** offering a service, waiting until the service is available, the text of a heartbeat, and how your
-# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may belong
-# to a call that was sent before the judge was connected.
+# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may belong to
+# a call that was sent before the judge was connected.
 # %% [answer]
 """Call the robot's self-test once a second, and report each result to the control room."""
 
@@ -184,7 +186,7 @@ if __name__ == "__main__":
 # - After `future.add_done_callback(self.on_answer)`, rclpy calls `self.on_answer(future)` when the response has
 #   arrived. `future.result()` is then the response, with the fields `success` and `message`.
 # - Store the future in an attribute. If it's still there when the timer fires again, the call has run out of time.
-# - After you've given up on a call, its late response should no longer call your method. Use
+# - After you've given up on a call, a late response to it should no longer trigger your method. To prevent that, use
 #   `self.self_test.remove_pending_request(future)`.
 #
 # Why you can't simply use `call()`: [Synchronous vs. asynchronous service

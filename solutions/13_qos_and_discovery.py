@@ -8,7 +8,7 @@
 # objectives:
 #   - requesting the right QoS for each topic
 #   - receiving the last status right away, even if it was published before the program started
-#   - detecting that a topic has gone silent, when no message arrives to trigger a callback
+#   - detecting that a topic has gone silent, even though no message arrives to trigger a callback
 #   - keeping your node's last message for programs that subscribe after it was published
 # out_of_scope:
 #   - what the robot should do after an alarm
@@ -18,34 +18,35 @@
 # %% [markdown]
 # # Exercise 13 · The late dashboard
 #
-# The night nurse comes on duty and starts the ward robot's dashboard. The robot, which has been running for hours,
-# published `operational` this morning. Its status hasn't changed since then. The nurse wants to see that status *now*.
-# If the robot's heartbeat stops in the middle of the night, the dashboard must raise an alarm within three seconds. It
-# must not raise one for every short delay, or the nurse will soon ignore it. And an alarm must not last forever: it
-# must end when the heartbeat resumes.
+# The night nurse comes on duty and starts the ward robot's dashboard. The robot has been running for hours. It
+# published `operational` this morning, and its status hasn't changed since then. The nurse wants to see that status
+# *now*. If the robot's heartbeat stops in the middle of the night, the dashboard must raise an alarm within three
+# seconds. But it must not raise an alarm for every short delay, or the nurse will soon ignore the alarms. And an alarm
+# must not last forever: it must end when the heartbeat resumes.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson [13](../notebooks/13_qos_and_discovery.ipynb).
 #
 # ## The robot's topics
 #
-# | topic | type | what the robot publishes | what QoS it offers |
+# | topic | type | messages | offered QoS |
 # |---|---|---|---|
-# | `/robot/status` | `String` | `operational` or `error`, only when it changes | reliable, transient local, depth 1, no deadline |
-# | `/robot/heartbeat` | `String` | `beat 1`, `beat 2`, …, every {{BEAT_S}} s | best effort, volatile, deadline 0.5 s |
+# | `/robot/status` | `String` | `operational` or `error`, published only when the status changes | reliable, transient local, depth 1, no deadline |
+# | `/robot/heartbeat` | `String` | `beat 1`, `beat 2`, …, one every {{BEAT_S}} s | best effort, volatile, deadline 0.5 s |
 #
 # ## What to build
 #
 # | topic | type | when | content |
 # |---|---|---|---|
-# | `/dashboard/line` | `String` | 2 Hz, always | the last status that the dashboard has received, for example `status: error`; `unknown` until the first one arrives; never two of these words in one line |
-# | `/dashboard/alarm` | `Bool` | when it changes, or more often | see below; kept for late subscriptions |
+# | `/dashboard/line` | `String` | 2 Hz, always | the last status that the dashboard has received, for example `status: error`, or `unknown` until the first one arrives. A line never contains more than one of the words `operational`, `error`, and `unknown` |
+# | `/dashboard/alarm` | `Bool` | at least whenever the alarm changes | whether there is an alarm (see below); the last message is kept for late subscriptions |
 #
-# Within {{AT_ONCE_S}} s of the start, the line must show a status that was published before the program started. A new
-# status must appear within {{FOLLOWS_S}} s of being published.
+# Within {{AT_ONCE_S}} s of the start, the line must show the status that the robot published before your program
+# started. A new status must appear within {{FOLLOWS_S}} s of being published.
 #
-# The alarm is raised (`True`) when no beat has arrived for about 2 s. It is raised no earlier than {{NOT_BEFORE_S}} s
-# and no later than {{NOT_AFTER_S}} s after the last beat. It lasts until the next beat, and must end (`False`) within
-# {{FALLS_WITHIN_S}} s of that beat. Before the first beat, the alarm may have either value.
+# The alarm is raised (`True`) when no beat has arrived for about 2 s. It must be raised no earlier than
+# {{NOT_BEFORE_S}} s and no later than {{NOT_AFTER_S}} s after the last beat. It stays on until the next beat arrives,
+# and must end (`False`) at most {{FALLS_WITHIN_S}} s after that beat. Before the first beat, the alarm may have either
+# value.
 #
 # ## What is judged
 #
@@ -56,24 +57,25 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/dashboard/line` exists and carries `String` |
+# | 1 | `/dashboard/line` exists and carries `String` messages |
 # | 1 | the line is published at 2 Hz, even during an alarm |
-# | 2 | right away, the line shows the status from before the start |
-# | 1 | the line follows when the status changes |
+# | 2 | within {{AT_ONCE_S}} s, the line shows the status that the robot published before your program started |
+# | 1 | the line is updated when the status changes |
 # | 1 | the program receives the heartbeat |
-# | 1 | `/dashboard/alarm` carries `Bool`, and is kept for late subscriptions (reliable, transient local) |
+# | 1 | `/dashboard/alarm` carries `Bool` messages, and the last one is kept for late subscriptions (reliable, transient local) |
 # | 1 | the alarm is raised within {{NOT_AFTER_S}} s of silence |
 # | 1 | the alarm isn't raised too early |
-# | 1 | the alarm ends when the heart beats again |
+# | 1 | the alarm ends when the heartbeat resumes |
 #
-# These tolerances allow for busy machines. 2 Hz means {{SLOWEST_HZ}} to {{FASTEST_HZ}} Hz, typically one line every
-# {{SHORTEST_S}} to {{LONGEST_S}} s, with no gap over {{LONGEST_GAP_S}} s. An alarm may start or end up to {{SLACK_S}} s
-# later than stated above. Your program counts as started once the judge has discovered its topics.
+# To allow for busy machines, the judge applies these tolerances. A rate of 2 Hz means {{SLOWEST_HZ}} to {{FASTEST_HZ}}
+# Hz, with a median interval of {{SHORTEST_S}} to {{LONGEST_S}} s and no gap over {{LONGEST_GAP_S}} s. An alarm may
+# start or end up to {{SLACK_S}} s later than stated above. Your program counts as started once the judge has discovered
+# its topics.
 #
 # **Not judged:**
 #
-# - the line's content in the first second, and whether you publish a line during that second. (The judge's robot has
-#   already published its status, so the judge never sees `unknown`.)
+# - the line's content in the first second, and whether you publish a line during that second. (The judge's robot
+#   publishes a status before your program starts, so only the lines in that second may show `unknown`.)
 # - whether the alarm is published more often than it changes
 # - how your program ends
 # %% [answer]
@@ -230,8 +232,8 @@ if __name__ == "__main__":
 # - **Publish the alarm on every tick,** even if it hasn't changed. Then a subscriber can distinguish "all is well"
 #   from "the dashboard is dead", and a lost message does no harm. Publishing only changes, with transient local,
 #   needs fewer messages. Many robots do both.
-# - **`self.get_clock().now()` instead of `time.monotonic()`.** It follows simulated time, so the node works in
-#   simulation, and you can test it at twenty times real-time speed. On a real robot, this clock may be adjusted while
-#   the node runs, but `time.monotonic()` never jumps.
+# - **`self.get_clock().now()` instead of `time.monotonic()`.** The node's clock follows simulated time, so the node
+#   works in simulation, and you can test it at twenty times real-time speed. On a real robot, this clock may be
+#   adjusted while the node runs, but `time.monotonic()` never jumps.
 # - **Liveliness.** This policy reports whether the publisher's *program* is still running, not whether its messages
 #   arrive. So it doesn't detect a heartbeat that stops in a running program.

@@ -18,113 +18,114 @@
 # %% [markdown]
 # # Exercise 14 · Twelve steady joints
 #
-# The humanoid stands still, but its hands tremble. The motors are fine. It's the joints' encoders that are noisy, and
-# the controller reacts to every bit of that noise. Put a filter between the encoders and the controller. But a filter
-# also uses past measurements, so its output usually lags behind the joint. With too much delay, the robot falls over.
-# So you need both: less noise and little delay.
+# The humanoid stands still, but its hands tremble. The motors are fine, but the joint encoders are noisy, and the
+# controller reacts to every bit of that noise. Put a filter between the encoders and the controller. But a filter also
+# uses past measurements, so its output usually lags behind the joint. With too much delay, the robot falls over. So you
+# need both: less noise and little delay.
 #
 # **About 35 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
 # [14](../notebooks/14_arrays_and_filters.ipynb).
 #
 # ## An example
 #
-# Here are five messages. The table shows the angle of just one joint. With a moving average of three messages, your
-# node would publish the angles in the third column.
+# Here are five messages. The table shows the angle of just one joint. If your node used a moving average over the last
+# three messages, it would publish the angles in the third column.
 #
 # | stamp | angle received (rad) | angle published (rad) | why |
 # |---:|---:|---:|---|
-# | 40.00 s | 0.94 | 0.940 | first message: assume that the joint was always there |
-# | 40.05 s | 0.97 | 0.950 | mean of 0.94, 0.94, and 0.97 |
+# | 40.00 s | 0.94 | 0.940 | the first message: assume that the joint has always been at this angle |
+# | 40.05 s | 0.97 | 0.950 | the mean of 0.94, 0.94, and 0.97 |
 # | 40.10 s | NaN | 0.960 | the last good angle, 0.97, replaces the NaN |
-# | 40.15 s | 0.93 | 0.957 | mean of 0.97, 0.97, and 0.93 |
-# | 0.75 s | 0.14 | 0.140 | earlier stamp, so the board was restarted: reset the state |
+# | 40.15 s | 0.93 | 0.957 | the mean of 0.97, 0.97, and 0.93 |
+# | 0.75 s | 0.14 | 0.140 | this stamp is earlier than the previous one, because the encoder board was restarted: reset the filter's state |
 #
-# This filter isn't good enough: it leaves about 58 % of the noise. Yours must do better, for twelve joints at the same
-# time.
+# This filter isn't good enough, because it leaves about 58 % of the noise. Yours must do better, for twelve joints at
+# the same time.
 #
 # ## What to build
 #
-# Write one program that keeps spinning until Ctrl-C ends it.
+# Write one program that spins until it's interrupted with Ctrl-C.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/encoders/joint_states` | `JointState` | subscribes | 20 messages a second: names and noisy angles of 12 joints |
-# | `/robot/joint_states` | `JointState` | publishes | one answer to each message, with the filtered angles |
+# | `/encoders/joint_states` | `JointState` | subscribes | 20 messages a second, with the names and noisy angles of 12 joints |
+# | `/robot/joint_states` | `JointState` | publishes | one message with the filtered angles for each message received |
 #
-# `JointState` is in `sensor_msgs.msg`. Its `position` field holds the angles in rad; `velocity` and `effort` are empty.
-# The judge publishes with reliable, volatile QoS and a depth of 100. The starter code's subscription, with a depth of
-# 50, is compatible with that.
+# We call the message that your node publishes for a received message its *answer*. `JointState` is in
+# `sensor_msgs.msg`. Its `position` field holds the angles in rad; `velocity` and `effort` are empty. The judge's
+# publisher offers reliable, volatile QoS with a queue depth of 100. The starter code's subscription, with a queue depth
+# of 50, is compatible with that.
 #
 # Your node:
 #
-# - answers every message once, right away, and in order of arrival
+# - answers every message exactly once, right away, and in order of arrival
 # - copies the header's stamp and the names from the message that it answers
 # - reduces the noise
 # - keeps the delay small
-# - starts from the joints' actual angles
-# - survives NaN
-# - resets its state after each restart
+# - publishes angles close to the joints' actual angles from the first message on
+# - replaces NaNs, so that every published angle is a finite number
+# - resets the filter's state after each restart of the encoder board
 #
-# **Each joint** either stands still or moves at a constant speed of 0.4 or 0.5 rad/s. The joints start and stop
+# **Each joint** is either at rest or moving at a constant speed of 0.4 or 0.5 rad/s. The joints start and stop
 # abruptly.
 #
 # **The noise** has a standard deviation of {{NOISE_RAD}} rad and never exceeds {{LARGEST_NOISE_RAD}} rad.
 #
-# **NaN.** Sometimes one, several, or all of the angles are NaN, in up to three messages in a row. This happens only
-# while the joints stand still, and never in the first message after a start.
+# **NaNs.** Sometimes, in up to three consecutive messages, one, several, or all of the angles are NaN. This happens
+# only while the joints are at rest, and never in the judge's first message or in the first message after a restart.
 #
 # **The restart.** A stamp is the time of the measurement, in seconds since the encoder board was switched on. When an
 # engineer switches the board off and on again, the stamps start over near zero. So you can recognize a restart by a
 # stamp that's *earlier* than the previous one. While the board is off, someone turns the joints by hand. Before the
-# first restart, each joint is turned by 0.2 to 0.8 rad. Before the second, each is turned by 0.22 to 0.24 rad. After a
-# restart, your filter's old state is useless.
+# first restart, each joint is turned by 0.2 to 0.8 rad; before the second, by 0.22 to 0.24 rad. So after a restart,
+# your filter's old state is useless.
 #
 # ## What is judged
 #
-# Your program runs as its own process. The judge publishes {{MESSAGES}} messages: the joints stand still, move, stand
-# still again (with NaN), and move back. Then the board is restarted, and two seconds later it's restarted again. The
-# judge waits for each answer and measures how long the answer takes in real time. It compares your answers with the
-# true angles.
+# Your program runs as its own process. The judge publishes {{MESSAGES}} messages, in which the joints are at rest,
+# move, are at rest again (this time with some NaNs), and move back. Then the board is restarted, and two seconds later,
+# it's restarted again. The judge waits for each answer and measures how long the answer takes in real time. It compares
+# the angles in your answers with the true ones.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it subscribes to `/encoders/joint_states`, with the type `JointState` |
-# | 1 | `/robot/joint_states` carries `JointState` |
-# | 1 | each answer has the stamp, the names, and an angle for each joint |
-# | 2 | every message is answered once, right away, in order |
+# | 1 | your node subscribes to `/encoders/joint_states`, with the type `JointState` |
+# | 1 | `/robot/joint_states` carries `JointState` messages |
+# | 1 | each answer has its message's stamp and names, and an angle for each joint |
+# | 2 | every message is answered exactly once, right away, and in order |
 # | 1 | at most {{MOST_NOISE %}} of the noise is left |
-# | 1 | the angles are at most {{LONGEST_DELAY_S}} s behind |
-# | 1 | it begins at the joints' angles |
-# | 1 | it notices the restart and resets its state |
-# | 1 | a NaN does no harm |
+# | 1 | the published angles lag at most {{LONGEST_DELAY_S}} s behind the joints |
+# | 1 | the first published angles are close to the joints' actual angles |
+# | 1 | your node notices each restart and resets the filter's state |
+# | 1 | NaNs don't spoil the published angles |
 #
-# The last five criteria count only if the node actually filters the angles. The judge checks this while the joints
-# stand still for the first time. If your node publishes the angles unchanged, or far from their true values, only the
-# first four criteria count. You may use any filter and any program structure: NumPy, SciPy, or plain Python, with one
-# filter object for all joints or one for each. `rclpy.experimental.EventsExecutor` doesn't work in this rclpy build:
-# its `spin()` never runs a callback.
+# The last five criteria count only if the node actually filters the angles. The judge checks this while the joints are
+# at rest. If the published angles are the same as the received ones, or far from the true ones, only the first four
+# criteria count. You may use any filter, in NumPy, SciPy, or plain Python. Your program may have any structure, with
+# one filter object for all joints or one for each. `rclpy.experimental.EventsExecutor` doesn't work in this rclpy
+# build: its `spin()` never runs a callback.
 #
-# **Not judged:** velocities, efforts, the header's frame, lost messages, irregular stamps, and how your program
-# ends on Ctrl-C.
+# **Not judged:** velocities, efforts, the header's frame, lost messages, irregular stamps, and how your program ends on
+# Ctrl-C.
 #
 # **Tolerances**
 #
 # | requirement or term | limit |
 # |---|---|
-# | answered right away | at least half of the answers come within {{TYPICALLY_S}} s of their message, and nine of ten within {{AT_ONCE_S}} s |
+# | answered right away | at least half of the answers are published within {{TYPICALLY_S}} s of their message, and at least nine out of ten within {{AT_ONCE_S}} s |
 # | names and angles | each answer has 12 names and 12 angles |
-# | noise | while the joints stand still for the first time, and after the first restart, at most {{MOST_NOISE %}} of the noise is left, all joints together. At each joint by itself, at most {{MOST_NOISE_OF_ONE %}} is left |
-# | delay | in each movement, the angles of all joints together are at most {{LONGEST_DELAY_S}} s behind, and no single joint more than {{LONGEST_DELAY_OF_ONE_S}} s |
-# | beginning | each of the first {{STARTING}} answers is within {{NEAR_RAD}} rad of the joint |
-# | after a restart | each of the first {{STARTING}} answers is within {{NEAR_RAD}} rad of the joint |
-# | NaN | from the first NaN until the first restart, each angle is a finite number. It is within {{NEAR_RAD}} rad of the joint until the joints move, and within {{FOLLOWS_RAD}} rad near the end of that movement |
-# | overshoot | it counts like any other distance from the joint; only the delay has no limit for angles ahead of their joint |
-# | unchanged | at every joint, the angles differ by at most {{LEAST_CHANGE_RAD}} rad from those received |
-# | far from the joint | at some joint, the mean error is more than {{LARGEST_NOISE_RAD}} rad |
+# | noise | in the first period at rest, and after the first restart, at most {{MOST_NOISE %}} of the noise is left across all joints. At any single joint, at most {{MOST_NOISE_OF_ONE %}} is left |
+# | delay | in each movement, the published angles lag by at most {{LONGEST_DELAY_S}} s, taken over all joints. At any single joint, they lag by at most {{LONGEST_DELAY_OF_ONE_S}} s |
+# | first angles | in each of the first {{STARTING}} answers, every angle is within {{NEAR_RAD}} rad of the joint's true angle |
+# | after a restart | in each of the first {{STARTING}} answers after it, every angle is within {{NEAR_RAD}} rad of the joint's true angle |
+# | NaNs | from the first NaN until the first restart, every angle is a finite number. Until the joints move again, it's within {{NEAR_RAD}} rad of the joint's true angle; near the end of that movement, it's within {{FOLLOWS_RAD}} rad |
+# | overshoot | overshoot counts like any other error. But angles that run ahead of their joint don't count as delayed, no matter how far ahead they are |
+# | the same as the received ones | at every joint, the published angles differ from the received ones by at most {{LEAST_CHANGE_RAD}} rad |
+# | far from the true ones | at least one joint has a mean error of more than {{LARGEST_NOISE_RAD}} rad |
 #
-# Both the noise and the differences in the row *unchanged* are measured as root mean squares. The judge ignores noise
-# and delay for 1 s ({{SETTLED}} messages) after each restart, and whenever the joints start or stop moving. A filter
-# needs that long to settle.
+# The noise, and the difference between published and received angles, are measured as root mean squares. The judge
+# ignores noise and delay for 1 s ({{SETTLED}} messages) after the first message and after each restart. It also ignores
+# them for 1 s each time the joints start or stop moving. A filter needs that long to settle.
 # %% [answer]
 """Filter noisy joint angles: publish them with less noise and little delay."""
 
@@ -228,11 +229,12 @@ if __name__ == "__main__":
 # Introduction to NumPy: [NumPy for absolute beginners](https://numpy.org/doc/stable/user/absolute_beginners.html)
 # %% [hint]
 # - `np.array(message.position)` is an array of 12 angles; `.tolist()` turns it back into a list.
-# - A moving average of N messages leaves `1/sqrt(N)` of the noise and is `(N - 1) / 2` messages behind. With 0.05 s
+# - A moving average over N messages leaves `1/sqrt(N)` of the noise and lags `(N - 1) / 2` messages behind. With 0.05 s
 #   between messages, which values of N are within the limits?
 # - `np.where(np.isfinite(angles), angles, last_good)` replaces each NaN with the last good angle.
 # - Store a stamp as a pair, `(sec, nanosec)`. You can compare two such pairs with `<`.
-# - At a start, fill the state as if the joints had always been at the first message's angles.
+# - At the first message, and again after a restart, fill the state as if the joints had always been at that message's
+#   angles.
 #
 # A filter that returns its state: [scipy.signal.sosfilt](https://docs.scipy.org/doc/scipy/reference/generated/scipy.signal.sosfilt.html)
 # %% [hint]
@@ -252,12 +254,12 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **A moving average** of 5 to 11 messages needs only NumPy, and its state is easy to understand: the last messages.
+# - **A moving average** over 5 to 11 messages needs only NumPy, and its state is easy to understand: the last messages.
 #   A NaN leaves the average after N messages, but a filter with feedback keeps the NaN forever.
 # - **Exponential smoothing**, `y += 0.3 * (x - y)`, is one line and stores one number per joint. For the same delay, it
 #   leaves a little more noise.
-# - **A filter for each joint**, in a dictionary by name. This also works if messages hold other joints, or the joints
-#   in another order. It makes twelve calls instead of one: fine for twelve joints, but not for ten thousand.
+# - **A filter for each joint**, in a dictionary by name. This also works if messages contain other joints, or the same
+#   joints in another order. But it makes twelve calls instead of one: fine for twelve joints, but not for ten thousand.
 # - **A new message instead of the received one.** `JointState(header=message.header, name=message.name,
 #   position=...)` leaves the received message unchanged. Here, no other code uses that message, so changing it does no
 #   harm.

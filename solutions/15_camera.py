@@ -8,7 +8,7 @@
 # objectives:
 #   - turning an Image's bytes into pixels, whatever its encoding and step
 #   - finding a ball by its color and shape in changing light
-#   - turning a pixel into a direction that carries the image's stamp
+#   - turning a pixel into a direction, and publishing it with the image's stamp
 #   - reporting that there's no ball, and rejecting unreadable images
 # out_of_scope:
 #   - how far away the ball is, and where it will be next
@@ -19,30 +19,30 @@
 # %% [markdown]
 # # Exercise 15 · Eyes on the ball
 #
-# A ball rolls across the desk, and the robot should look at it. The camera works and takes {{RATE_HZ}} images a second,
-# but the node between the camera and the neck is missing. That node finds the ball in each image and publishes the
-# ball's direction. If it reported a ball that isn't there, the robot would reach into empty space. So the node must
-# also report when there's no ball.
+# A ball rolls across the desk, and the robot is supposed to keep its eyes on the ball. The camera works and publishes
+# {{RATE_HZ}} images a second, but the node between the camera and the neck is missing. That node finds the ball in each
+# image and publishes the ball's direction. If it reported a ball that isn't there, the robot would reach into empty
+# space. So the node must also report when there's no ball.
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [15](../notebooks/15_camera.ipynb).
 #
 # ## What to build
 #
-# Write one program that keeps spinning until Ctrl-C ends it.
+# Write one program that spins until it's interrupted with Ctrl-C.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
 # | `/camera/image` | `Image` | subscribes | {{RATE_HZ}} images a second, 160 columns by 120 rows |
 # | `/robot/ball_direction` | `Vector3Stamped` | publishes | one direction for each image that it can read |
 #
-# `Image` is in `sensor_msgs.msg`, and `Vector3Stamped` is in `geometry_msgs.msg`. The judge publishes its images with
-# reliable, volatile QoS and a depth of 100. The starter code requests best effort, which is compatible with a reliable
-# publisher. Best effort also works with real cameras, which often offer nothing else.
+# `Image` is in `sensor_msgs.msg`, and `Vector3Stamped` is in `geometry_msgs.msg`. The judge's publisher offers
+# reliable, volatile QoS with a queue depth of 100. The starter code requests best effort, which is compatible with a
+# reliable publisher. Best effort also works with real cameras, which often offer nothing else.
 #
-# **The scene.** The ball is orange. A blue ball also lies on the desk, along with a brick that's just as orange as the
-# ball. The brick can be farther away than the ball, or nearer. But the two never overlap in the image, so you'll never
-# see an orange ball in front of an orange brick. The robot's own gray hands sometimes come into view. There's at most
-# one orange ball. It's never partly hidden, and it's at least 11 pixels wide.
+# **The scene.** The ball is orange. There's also a blue ball on the desk, along with a brick that's just as orange as
+# the orange ball. The brick can be farther away than the orange ball, or nearer. But the two never overlap in the
+# image, so you'll never see an orange ball in front of an orange brick. The robot's own gray hands sometimes come into
+# view. There's at most one orange ball. It's never partly hidden, and it's at least 11 pixels wide.
 #
 # **The light** varies in brightness, from 40 % to 110 % of full daylight. Its color also varies a little, from warmer
 # to cooler.
@@ -50,16 +50,16 @@
 # **The camera** follows the pinhole model, with a focal length of {{FOCAL_PIXELS}} pixels. A point straight ahead of
 # the camera appears at column 79.5, row 59.5. (The center of the upper left pixel is at column 0, row 0.)
 #
-# | your node | so that |
+# | your node | what that means |
 # |---|---|
-# | publishes the ball's direction as a vector of length 1 | x points right, y down, z forward |
+# | publishes the ball's direction as a vector of length 1 | in this vector, x points right, y down, and z forward |
 # | is accurate | each direction points to the ball's center |
-# | reports "no ball" if there is none | the vector is (0, 0, 0) |
+# | reports "no ball" if there is none | it publishes the vector (0, 0, 0) |
 # | copies the image's stamp | each direction's header has the stamp of its image |
-# | keeps up with {{RATE_HZ}} images a second | it answers most of them right away, each once |
-# | reads `rgb8` and `bgr8` | the order of the colors is correct, even if the encoding changes from image to image |
+# | keeps up with {{RATE_HZ}} images a second | for most images, it publishes a direction right away, and never more than one for the same image |
+# | reads `rgb8` and `bgr8` | it uses the right color order, even if the encoding changes from one image to the next |
 # | uses `step` | it can read images whose rows end with {{PADDING}} unused bytes |
-# | refuses every other encoding | it publishes nothing for the image, logs a line that names the encoding, and keeps running |
+# | rejects every other encoding | it publishes nothing for the image, logs a line that names the encoding, and keeps running |
 #
 # ## What is judged
 #
@@ -68,17 +68,17 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it subscribes to `/camera/image` with the type `Image`, and publishes `Vector3Stamped` on `/robot/ball_direction` |
-# | 1 | each direction has the stamp of its image, and each image has one direction |
-# | 1 | it keeps up with {{RATE_HZ}} images a second |
-# | 1 | it refuses other encodings with a line in the log, and keeps running |
+# | 1 | your node subscribes to `/camera/image` with the type `Image`, and publishes `Vector3Stamped` messages on `/robot/ball_direction` |
+# | 1 | each direction has the stamp of its image, and there's only one direction per image |
+# | 1 | your node keeps up with {{RATE_HZ}} images a second |
+# | 1 | your node rejects other encodings, logs a line that names each of them, and keeps running |
 # | 2 | in good light, the direction for an `rgb8` image is correct |
 # | 1 | in changing light, the direction is correct |
 # | 1 | for `bgr8`, the direction is correct |
 # | 1 | for rows with padding, the direction is correct |
-# | 1 | if there is no ball, it reports that |
+# | 1 | if there's no ball, your node reports that |
 #
-# The criteria for changing light and for padding are judged only if the direction is correct in good light. Padding is
+# The criteria for changing light and for padding count only if the direction is correct in good light. Padding is
 # judged in both encodings, but padded `bgr8` images count only if the direction is correct for `bgr8` without padding.
 #
 # **Not judged:** the ball's distance, lens distortion, partly hidden balls, and how your program ends.
@@ -87,11 +87,11 @@
 #
 # | requirement or term | limit |
 # |---|---|
-# | length of the vector | it is within {{LENGTH_SLACK}} of 1 |
-# | accuracy | each direction is within {{WITHIN_DEG}}° of the ball's center |
-# | share of answers | at least {{LEAST_SHARE %}} of the readable images are answered |
-# | delay | at least half of the answers come within {{TYPICALLY_S}} s of their image, and nine of ten within {{AT_ONCE_S}} s |
-# | good light | at least {{BRIGHT %}} of full daylight, and no padding |
+# | length of the vector | the length is within {{LENGTH_SLACK}} of 1 |
+# | accuracy | each direction is within {{WITHIN_DEG}}° of the direction to the ball's center |
+# | most images | your node publishes a direction for at least {{LEAST_SHARE %}} of the images that it should be able to read |
+# | right away | at least half of the directions are published within {{TYPICALLY_S}} s of their image, and at least nine out of ten within {{AT_ONCE_S}} s |
+# | good light | the light is at least {{BRIGHT %}} of full daylight, and the rows have no padding |
 # %% [answer]
 """Find the orange ball in a camera's images, and publish its direction."""
 

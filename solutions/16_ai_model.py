@@ -9,7 +9,7 @@
 #   - running a slow model without delaying other callbacks
 #   - processing only the newest image, and giving each detection its image's stamp
 #   - giving a model pixels in the color order that it was trained on
-#   - surviving a model that raises an exception
+#   - keeping a node running when its model raises an exception
 # out_of_scope:
 #   - training a model, or a faster one (`SlowDetector` stays as it is)
 #   - where the toys are in the room, and tracking them from image to image
@@ -19,65 +19,66 @@
 # %% [markdown]
 # # Exercise 16 · A robot that sees and keeps its balance
 #
-# Your robot is clearing a desk. A neural network finds the toys on it, but takes {{MODEL_S}} s per image. The camera
-# takes {{CAMERA_HZ}} images a second, and the rest of the robot can't wait for the network. A heartbeat must go out ten
-# times a second. If the robot falls, it must report the fall within half a second. We provide the model. Write the node
-# around it.
+# Your robot is clearing a desk. A neural network finds the toys on the desk, but the network takes {{MODEL_S}} s per
+# image. The camera publishes {{CAMERA_HZ}} images a second, and the rest of the robot can't wait for the network. A
+# heartbeat must be published ten times a second. If the robot falls, that must be reported within half a second. We
+# provide the network. Write the node around it.
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [16](../notebooks/16_ai_model.ipynb).
 #
 # ## An example
 #
-# Here's what a working node does in its first 0.6 s. Image 1 was stamped 512.000 s, and a new image arrives every 0.033
-# s. Image 7 is washed out by glare.
+# Here's what a working node does in its first 0.6 s. Image 1 has the stamp 512.000 s, and a new image arrives every
+# 0.033 s. Image 7 is washed out by glare.
 #
 # | time | event | `/robot/detections` |
 # |---:|---|---|
-# | 0.00 s | image 1 arrives, and the model starts on it | |
-# | 0.20 s | the model returns; it starts again on image 7, the newest | ball, cup, plate, and two bricks, stamped 512.000 s |
-# | 0.40 s | the model raises `RuntimeError`; it starts again on image 13 | nothing, but the log says `glare: 97% of the picture is white` |
-# | 0.60 s | the model returns | the toys in image 13, stamped 512.400 s |
+# | 0.00 s | image 1 arrives, and the node passes it to the model | |
+# | 0.20 s | the model returns its detections, and the node passes it image 7, which is now the newest | ball, cup, plate, and two bricks, stamped 512.000 s |
+# | 0.40 s | the model raises `RuntimeError` for image 7, and the node passes it image 13, which is now the newest | nothing, but the log says `glare: 97% of the picture is white` |
+# | 0.60 s | the model returns its detections | the toys in image 13, stamped 512.400 s |
 #
 # During all of this, the node publishes `operational` on `/robot/status` every 0.1 s. If ten IMU samples in a row show
 # a tilt of more than {{TILT_DEG}}°, it publishes `error` from the next heartbeat on.
 #
 # ## What to build
 #
-# Write one program that keeps spinning until Ctrl-C ends it.
+# Write one program that spins until it's interrupted with Ctrl-C.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/camera/image` | `Image` | subscribes | {{CAMERA_HZ}} images a second, 160 columns by 120 rows, `bgr8`, rows without padding |
-# | `/robot/imu` | `Imu` | subscribes | {{IMU_HZ}} samples a second; at rest, `linear_acceleration` points up with 9.81 m/s² |
-# | `/robot/detections` | `MarkerArray` | publishes | one message for each image that the model has looked at, with a marker for each detection |
+# | `/camera/image` | `Image` | subscribes | {{CAMERA_HZ}} images a second, 160 columns by 120 rows, in `bgr8`, without padding |
+# | `/robot/imu` | `Imu` | subscribes | {{IMU_HZ}} samples a second; at rest, `linear_acceleration` points up and has a magnitude of 9.81 m/s² |
+# | `/robot/detections` | `MarkerArray` | publishes | one message for each image in which the model has detected toys, with a marker for each detection |
 # | `/robot/status` | `String` | publishes | the heartbeat, 10 Hz: `operational`, or `error` after a fall |
 #
-# `Image` and `Imu` are in `sensor_msgs.msg`, and `MarkerArray` is in `visualization_msgs.msg`. The judge publishes
-# images and samples with reliable, volatile QoS and a depth of 100.
+# `Image` and `Imu` are in `sensor_msgs.msg`, and `MarkerArray` is in `visualization_msgs.msg`. The judge's publishers
+# offer reliable, volatile QoS with a queue depth of 100.
 #
-# The starter subscribes to images with a depth of 10. As lesson 16 shows, the detections are out of date by the time
-# they're published. We left it that way on purpose: choosing the queue's depth is part of your task.
+# The starter code subscribes to images with a queue depth of 10. As lesson 16 shows, a queue that deep makes the
+# detections out of date by the time they're published. We left it that way on purpose, because choosing the queue depth
+# is part of your task.
 #
-# **The model.** We provide `SlowDetector`, the model. It finds balls, bricks, cups, and plates, all of them orange. It
-# expects RGB pixels (`uint8`), and it doesn't hold the GIL while it waits for its accelerator. Loading it takes one
-# second. In glare, it raises `RuntimeError`. You may call it from several threads, but it processes one image at a
-# time. A second call has to wait for the first, and its image gets older in the meantime. So a second thread only makes
-# the detections more out of date. We also provide `to_markers` and `tilt`.
+# **The model** that we provide is `SlowDetector`. It finds orange toys: balls, bricks, cups, and plates. It expects RGB
+# pixels (`uint8`), and it doesn't hold the GIL while it waits for its accelerator. Loading it takes one second. If an
+# image is washed out by glare, it raises `RuntimeError`. You may call it from several threads, but it processes one
+# image at a time. A second call has to wait for the first, and the second image gets older in the meantime. So calling
+# the model from a second thread would only make the detections older. We also provide `to_markers` and `tilt`.
 #
-# **The desk.** Each image shows a ball, a cup, a plate, and two bricks, so an empty `MarkerArray` is never right. A
-# blue ball doesn't count as a toy.
+# **The desk.** Each image shows a ball, a cup, a plate, and two bricks, so an empty `MarkerArray` is never right.
+# There's also a blue ball on the desk, but it doesn't count as a toy.
 #
 # **The stamps** come from the sensors' own clock. Compare them with each other, not with your program's clock.
 #
-# | your node | so that |
+# | your node | what that means |
 # |---|---|
-# | keeps the heartbeat regular | it's published ten times a second, without gaps |
-# | publishes fresh detections | they follow their image quickly, even after a fall |
+# | keeps the heartbeat regular | the heartbeat is published ten times a second, without gaps |
+# | publishes fresh detections | each message is published soon after its image, even after a fall |
 # | doesn't guess | each detection comes from the given model, which takes {{MODEL_S}} s |
-# | stamps each detection with its image's stamp | one message for an image, each image once, in the order of the images |
+# | stamps each detection with its image's stamp | there's only one message per image, and the messages are in the order of the images |
 # | detects correctly | each message has the right toys in the right places |
-# | survives the model's exceptions | it publishes nothing for that image, not even an empty message. It logs the exception's text and continues |
-# | reports a fall | if ten samples in a row are tilted by more than {{TILT_DEG}}°, the status becomes `error` |
+# | survives the model's exceptions | if the model raises an exception, your node publishes nothing for that image, not even an empty message. It logs the exception's text and continues with the newest image |
+# | reports a fall | if ten samples in a row are tilted by more than {{TILT_DEG}}°, the status changes to `error` |
 # | raises no false alarm | it never publishes `error` before the fall: a jolt of nine samples isn't a fall, and neither is leaning by 55° |
 # | remembers the fall | after the first `error`, it never publishes `operational` again, even if someone sets the robot upright |
 #
@@ -89,13 +90,13 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it subscribes to `/camera/image` with the type `Image`, and `/robot/detections` carries `MarkerArray` |
-# | 1 | the heartbeat goes out, even while the model is running |
-# | 1 | each detection has its image's stamp: one message for an image, in order |
-# | 2 | detections are fresh and come from the given model |
+# | 1 | your node subscribes to `/camera/image` with the type `Image`, and `/robot/detections` carries `MarkerArray` messages |
+# | 1 | the heartbeat continues, even while the model is running |
+# | 1 | each detection has its image's stamp, and there's only one message per image, in order |
+# | 2 | the detections are fresh and come from the given model |
 # | 2 | the detections are correct |
-# | 1 | it survives a model that raises |
-# | 2 | on a fall, `/robot/status` becomes `error`, not before, and doesn't change back |
+# | 1 | your node keeps working after the model raises an exception |
+# | 2 | `/robot/status` reports `error` after the fall, but not before, and never goes back to `operational` |
 #
 # **Not judged:** training, where the toys are in the room, getting up after a fall, and how your program ends. The
 # judge reads only three of a marker's fields: `header`, `ns` (the label), and `pose.position` (x: column, y: row).
@@ -104,13 +105,13 @@
 #
 # | requirement | passes if |
 # |---|---|
-# | heartbeat | {{LEAST_BEATS %}} to {{MOST_BEATS %}} of ten a second, never more than {{LONGEST_SILENCE_S}} s without one, from the first one on |
-# | fresh | at least half of the messages come at most {{TYPICALLY_S}} s after their image, and nine of ten at most {{MOSTLY_S}} s |
-# | often | the node publishes the detections of at least {{LEAST_HZ}} images a second, even after a fall |
-# | not guessed | each message comes at least {{SOONEST_S}} s after its image |
-# | correct | at least {{RIGHT_SHARE %}} of the messages have each toy that is at least {{WHOLE %}} visible, with its label, within {{WITHIN_PIXELS}} pixels, and nothing else. Toys that are less visible may be included |
-# | continues | at most {{PAUSE_S}} s after the glare, the node publishes detections again |
-# | fall | `error` comes at most {{FALL_WITHIN_S}} s after the tenth tilted sample |
+# | heartbeat | from the first heartbeat on, the rate is {{LEAST_BEATS %}} to {{MOST_BEATS %}} of 10 Hz. The heartbeat is never silent for more than {{LONGEST_SILENCE_S}} s |
+# | fresh | at least half of the messages are published within {{TYPICALLY_S}} s of their image, and at least nine out of ten within {{MOSTLY_S}} s |
+# | often | except during the glare, the node publishes detections for at least {{LEAST_HZ}} images a second, even after a fall |
+# | not guessed | each message is published at least {{SOONEST_S}} s after its image |
+# | correct | at least {{RIGHT_SHARE %}} of the messages are correct. In a correct message, every toy that's at least {{WHOLE %}} visible has a marker with its label, at most {{WITHIN_PIXELS}} pixels from its center. There are no other markers, except that less visible toys may have one, too |
+# | continues | the node publishes detections again within {{PAUSE_S}} s of the end of the glare |
+# | fall | the first `error` is published within {{FALL_WITHIN_S}} s of the tenth tilted sample |
 # %% [answer]
 """Detect toys with a slow model, keep the heartbeat regular, and report when the robot has fallen."""
 

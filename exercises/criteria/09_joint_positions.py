@@ -29,7 +29,9 @@ def finite_in_range(recording: Recording) -> Verdict:
     return see.all_of(see.finite(recording, JOINTS), see.within(recording, JOINTS, -math.pi, math.pi, "rad"))
 
 
-@criterion(points=1, title="At least two joints move from message to message", needs=[joint_topic])
+@criterion(
+    points=1, title="At least two joint angles change from one message to the next", needs=[joint_topic]
+)
 def joints_move(recording: Recording) -> Verdict:
     return see.varies(recording, JOINTS, at_least=2, by=1e-6, what="joint")
 

@@ -325,7 +325,9 @@ def heartbeat_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, HEARTBEAT)
 
 
-@criterion(points=2, title="90% to 110% of the heartbeats are published, evenly", needs=[heartbeat_topic])
+@criterion(
+    points=2, title="90% to 110% of the heartbeats are published, at even intervals", needs=[heartbeat_topic]
+)
 @see.needs_messages(HEARTBEAT)
 def heartbeat_share(recording: Recording) -> Verdict:
     heart = HEART(recording)
@@ -374,7 +376,7 @@ def plans_right(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="There is one plan for every request, in the order of the requests, one search at a time",
+    title="There is one plan for every request, in order, and only one search runs at a time",
     needs=[plan_topic],
 )
 def all_in_order(recording: Recording) -> Verdict:

@@ -531,7 +531,7 @@ def health_topic(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title="Each response is reported: correctly, in time, and once",
+    title="Each response is reported correctly, on time, and only once",
     needs=[calls_arrive, health_topic],
 )
 def results_told(recording: Recording) -> Verdict:
@@ -543,7 +543,7 @@ def results_told(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title='"no answer" is reported in time, and only for calls that got no response',
+    title='"no answer" is reported on time, and only for calls that got no response',
     needs=[calls_arrive, health_topic, alive_at_end],
 )
 def unanswered_told(recording: Recording) -> Verdict:

@@ -339,7 +339,7 @@ def line_rate(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=2, title="It shows the status from before its start right away", needs=[line_topic, runs_on]
+    points=2, title="It shows the status that was published before it started", needs=[line_topic, runs_on]
 )
 def status_at_once(recording: Recording) -> Verdict:
     hears = see.hears(recording, STATUS)
@@ -349,7 +349,7 @@ def status_at_once(recording: Recording) -> Verdict:
     return AT_ONCE.first(first) or see.passed(f'"{first.word}" on each of {len(first.lines)} lines')
 
 
-@criterion(points=1, title="The line follows when the status changes", needs=[status_at_once])
+@criterion(points=1, title="The line is updated when the status changes", needs=[status_at_once])
 def status_follows(recording: Recording) -> Verdict:
     changes = RUN(recording).statuses[1:]
     for change in changes:
@@ -395,7 +395,7 @@ def no_false_alarm(recording: Recording) -> Verdict:
     return see.passed("no alarm while the heartbeat arrives, nor in the first second of silence")
 
 
-@criterion(points=1, title="The alarm ends when the heart beats again", needs=[alarm_raised, no_false_alarm])
+@criterion(points=1, title="The alarm ends when the heartbeat resumes", needs=[alarm_raised, no_false_alarm])
 def alarm_falls(recording: Recording) -> Verdict:
     wrong = (FALLS.first(silence) for silence in RUN(recording).silences)
     return next(filter(None, wrong), None) or see.passed("ended when the heartbeat returned")

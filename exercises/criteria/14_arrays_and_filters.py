@@ -526,7 +526,9 @@ def answers_come(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=1, title="Each answer has the stamp, the names, and an angle for each joint", needs=[answers_come]
+    points=1,
+    title="Each answer has its message's stamp and names, and an angle for each joint",
+    needs=[answers_come],
 )
 def labels_kept(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
@@ -534,7 +536,9 @@ def labels_kept(recording: Recording) -> Verdict:
     return LABELS.first(answers) or see.passed(told)
 
 
-@criterion(points=2, title="Every message is answered once, right away, in order", needs=[answers_come])
+@criterion(
+    points=2, title="Every message is answered exactly once, right away, and in order", needs=[answers_come]
+)
 def every_one_answered(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
     verdict = unclear(answers) or EACH_ONCE.first(answers)
@@ -556,25 +560,27 @@ def noise_reduced(recording: Recording) -> Verdict:
     return TOO_FEW["noise-reduced"].first(answers.steady) or NOISY.verdict(answers)
 
 
-@criterion(points=1, title="The angles are at most 0.27 s behind", needs=[filters])
+@criterion(points=1, title="The published angles lag at most 0.27 s behind the joints", needs=[filters])
 def delay_bounded(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
     verdict = TOO_FEW["delay-bounded"].first(answers.forth) or DELAY.first(answers)
     return verdict or see.passed(f"{max(answers.forth.delay, 0.0):.2f} s behind")
 
 
-@criterion(points=1, title="It begins at the joints' angles", needs=[filters])
+@criterion(
+    points=1, title="The first published angles are close to the joints' actual angles", needs=[filters]
+)
 def begins_near(recording: Recording) -> Verdict:
     return begins(Start(recording, 0), BEGIN)
 
 
-@criterion(points=1, title="It notices the restart and resets its state", needs=[filters])
+@criterion(points=1, title="It notices each restart and resets the filter's state", needs=[filters])
 def restart_noticed(recording: Recording) -> Verdict:
     verdict = begins(Start(recording, 1), BEGIN_AGAIN)
     return begins(Start(recording, 2), BEGIN_AGAIN) if verdict.ok else verdict
 
 
-@criterion(points=1, title="A NaN does no harm", needs=[filters])
+@criterion(points=1, title="NaNs don't spoil the published angles", needs=[filters])
 def survives_nan(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
     return AFTER_NAN.first(answers) or TOO_FEW["near"].first(answers.nan.section) or IS_NEAR

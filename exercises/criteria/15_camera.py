@@ -534,7 +534,7 @@ def answers_come(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="Each direction has its image's stamp, and each image gets one direction",
+    title="Each direction has its image's stamp, and there's only one direction per image",
     needs=[answers_come],
 )
 def stamps_kept(recording: Recording) -> Verdict:
@@ -553,7 +553,7 @@ def keeps_up(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="It refuses other encodings with a line in the log, and keeps running",
+    title="It rejects other encodings, logs a line that names each of them, and keeps running",
     needs=[answers_come],
 )
 def refuses_others(recording: Recording) -> Verdict:

@@ -598,7 +598,7 @@ def detections_come(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="One message per image, each detection with its image's stamp, in order",
+    title="Each detection has its image's stamp, and there's only one message per image, in order",
     needs=[detections_come],
 )
 def stamps_kept(recording: Recording) -> Verdict:
@@ -609,7 +609,7 @@ def stamps_kept(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title=f"Detections are fresh: typically at most {TYPICALLY_S:g} s old, nine of ten at most {MOSTLY_S:g} s",
+    title=f"Detections are fresh: typically at most {TYPICALLY_S:g} s old, nine out of ten at most {MOSTLY_S:g} s",
     needs=[detections_come],
 )
 def fresh(recording: Recording) -> Verdict:
@@ -641,7 +641,7 @@ def right(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="It survives the model's exceptions: no message for such an image, a line in the log, and it continues",
+    title="When the model raises, it publishes nothing for the image, logs the exception, and continues",
     needs=[detections_come],
 )
 def survives(recording: Recording) -> Verdict:
@@ -652,7 +652,7 @@ def survives(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title=f"/robot/status becomes error on a fall: within {FALL_WITHIN_S:g} s, not before, and it stays error",
+    title=f"/robot/status reports error within {FALL_WITHIN_S:g} s of a fall, not before, and keeps reporting it",
     needs=[status_topics],
 )
 def fall_reported(recording: Recording) -> Verdict:
