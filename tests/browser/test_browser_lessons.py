@@ -29,6 +29,8 @@ from .student_lab import ROOT, StudentLab
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 ROBOT_LESSON = "09_joint_positions"
+SHORT_LESSON = "02_nodes"
+"""The only lesson that `make test` opens in the browser."""
 SEVERAL_FRAMES = 4
 """A robot that jumps to its last pose draws one frame.
 
@@ -106,7 +108,7 @@ def check_robot(page: LabPage, moments: list[float], artifacts: Path) -> None:
 
 @pytest.mark.parametrize(
     "stem",
-    [pytest.param(stem, marks=() if stem == ROBOT_LESSON else pytest.mark.whole) for stem in LESSONS],
+    [pytest.param(stem, marks=() if stem == SHORT_LESSON else pytest.mark.whole) for stem in LESSONS],
 )
 def test_a_lesson_runs_from_top_to_bottom(
     stem: str, page: LabPage, lab: StudentLab, artifacts: Path, capfd: pytest.CaptureFixture[str]

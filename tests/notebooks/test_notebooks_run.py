@@ -16,6 +16,8 @@ from workbook.authoring.tree import Tree
 ROOT = Path(__file__).resolve().parents[2]
 TREE = Tree(ROOT)
 LESSONS, EXERCISES = TREE.lesson_stems(), TREE.exercise_stems()
+LONG = frozenset({"10_slow_callbacks", "15_camera", "16_ai_model"})
+"""Lessons that take more than a minute even if nothing else runs. Only the whole run includes them."""
 
 
 def test_there_is_something_to_run() -> None:
@@ -25,7 +27,9 @@ def test_there_is_something_to_run() -> None:
 
 @pytest.mark.slow
 @pytest.mark.outside_browser
-@pytest.mark.parametrize("stem", LESSONS)
+@pytest.mark.parametrize(
+    "stem", [pytest.param(stem, marks=pytest.mark.whole if stem in LONG else ()) for stem in LESSONS]
+)
 def test_a_lesson_shows_what_is_committed(stem: str, capfd: pytest.CaptureFixture[str]) -> None:
     show_what_is_committed(capfd, lessons=[stem])
 

@@ -100,7 +100,9 @@ def _your_program(source: ExerciseSource) -> str:
 def _watch(source: ExerciseSource) -> str:
     others, publishers = "", "your program publishes"
     if partner_of(source.path) is not None:
-        others = "It also starts the robot's other nodes, so that your node has something to communicate with. "
+        others = (
+            "It also starts the robot's other nodes, so that your node has something to communicate with. "
+        )
         publishers = "all these nodes publish"
     return (
         "## Watch it run\n\n`%start` runs your program in its own process, in this notebook's ROS domain. "
