@@ -1,4 +1,4 @@
-"""Find the ROS domains that processes use, by their DDS ports."""
+"""Determine from processes' open DDS ports which ROS domains they use."""
 
 from collections.abc import Collection, Sequence
 
@@ -12,11 +12,11 @@ def domains_of(pids: Sequence[int]) -> tuple[int, ...]:
 
 
 def domains_of_ports(ports: Collection[int]) -> tuple[int, ...]:
-    """Return the ROS domains whose participants listen on these UDP ports.
+    """Return the ROS domains whose DDS participants listen on these UDP ports.
 
-    A participant listens on two neighboring ports. The first one is for discovery: its offset within its domain's range
-    is even and at least 10. The next port is for messages. A port without such a neighbor is one that the system chose
-    for a participant to send from.
+    A participant listens on two neighboring ports. The first port is for discovery: its offset within its domain's port
+    range is even and at least 10. The next port is for messages. A port without such a neighbor doesn't count, because
+    the system chose it for sending.
     """
     found = {
         domain_of_port(port)

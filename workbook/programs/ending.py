@@ -1,4 +1,8 @@
-"""Find a program's processes by their mark, and end them."""
+"""Find a program's processes and kill them.
+
+A program's mark is the value of its environment variable `WORKBOOK_RUN`, which its child processes inherit. It begins
+with the process ID of the judge that started the program.
+"""
 
 import os
 import signal
@@ -9,15 +13,15 @@ from contextlib import suppress
 from workbook.inside import proc
 
 RUN_MARK = "WORKBOOK_RUN"
-"""The environment variable that identifies a program and its child processes."""
+"""The environment variable whose value, the mark, identifies a program and its descendants."""
 _ROUNDS = 20
 _ROUND_S = 0.005
 
 
 def processes_marked(mark: str) -> list[int]:
-    """Return the processes whose `WORKBOOK_RUN` begins with `mark`, if we may read their environments.
+    """Return the processes whose mark begins with `mark`, except those whose environment we may not read.
 
-    This also finds processes that have moved to another session.
+    The result includes processes that have moved to another session.
     """
     needle = f"{RUN_MARK}={mark}".encode()
     others = (pid for pid in proc.pids() if pid != os.getpid())
@@ -25,7 +29,10 @@ def processes_marked(mark: str) -> list[int]:
 
 
 def kill_all(alive: Callable[[], Collection[int]]) -> None:
-    """Kill the processes that `alive` returns, until it returns none or after a fixed number of rounds."""
+    """Kill the processes that `alive` returns.
+
+    Repeat that until `alive` returns none, but only a fixed number of times.
+    """
     for _ in range(_ROUNDS):
         left = alive()
         if not left:
@@ -37,5 +44,5 @@ def kill_all(alive: Callable[[], Collection[int]]) -> None:
 
 
 def kill_programs_of(judge_pid: int) -> None:
-    """Kill the programs that the ended process `judge_pid` started as a `NodeProcess`, and their descendants."""
+    """Kill the programs that the judge with process ID `judge_pid` started before it exited, and their descendants."""
     kill_all(lambda: processes_marked(f"{judge_pid}-"))

@@ -1,4 +1,8 @@
-"""Start programs by forking instead of in a fresh Python: the client of `inside/fork_server.py`."""
+"""Start programs by having a server fork them, which is faster than starting a Python interpreter for each.
+
+This is the client of `inside/fork_server.py`. For each program, the server also forks a supervisor, which waits for the
+program and reports its exit status.
+"""
 
 import atexit
 import contextlib
@@ -23,27 +27,33 @@ from workbook.programs.tier import Order
 from workbook.ros.environment import child_environment
 
 MARK_BYTES = 80
-"""The size of the blank space in a server's environment, where a forked program writes its mark for others to see."""
+"""The number of spaces reserved in a server's environment.
+
+A forked program overwrites them with its mark (see `ending`), so that other processes can read the mark in /proc.
+"""
 SERVER = "fork_server"
 START_S = 30.0
 ANSWER_S = 10.0
 LOOK_AGAIN_S = 1.0
-"""After this long (s), a thread that waits for a program's end polls again, in case the kernel hasn't woken it."""
+"""After this time (s), a thread that waits for a program to exit polls again, in case the kernel hasn't woken it."""
 
 
 class NotForked(RuntimeError):
-    """The program wasn't started. The message says why. Start it in a fresh Python instead."""
+    """Raised when the program couldn't be forked. The message says why. Start it in a new interpreter instead."""
 
 
 class ServerGone(RuntimeError):
-    """A program's supervisor, which would report how the program ends, is gone. The program isn't to blame."""
+    """Raised when a program's supervisor has exited without reporting how the program exited.
+
+    The program isn't to blame, because no program in a sandbox can kill its supervisor.
+    """
 
 
 class ForkedProgram:
     """A program that the server forked. See `workbook.programs.tier.Child`.
 
-    `is_lost`: whether the supervisor ended without reporting how the program ended. If the program can't have ended the
-    supervisor, the server is gone.
+    `is_lost`: whether the supervisor exited without reporting how the program exited. A program in a sandbox can't kill
+    its supervisor, so in that case, the server is gone.
     """
 
     def __init__(self, pid: int, status_fd: int, told: bytes) -> None:
@@ -57,15 +67,16 @@ class ForkedProgram:
     def poll(self) -> int | None:
         """Return the program's exit code, or None while it's running.
 
-        A negative code is the number of the signal that ended it.
+        A negative code -n means that signal n killed the program.
         """
         return self._read_status()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program to end, and return its exit code.
+        """Wait for the program to exit, and return its exit code.
 
-        Raises subprocess.TimeoutExpired after `timeout` seconds. Several threads may wait. The supervisor exits after
-        its last report, which wakes all of them, including those that don't read the report themselves.
+        Raises subprocess.TimeoutExpired after `timeout` seconds. Several threads may wait at the same time. The
+        supervisor exits after its last report, which closes the pipe and so wakes all of the threads, although only one
+        of them reads the report.
         """
         deadline = None if timeout is None else time.monotonic() + timeout
         while (code := self._read_status()) is None:
@@ -89,7 +100,7 @@ class ForkedProgram:
             return self.returncode
 
     def close(self) -> None:
-        """Close the status descriptor. Call this after the program has ended."""
+        """Close the status descriptor. Call this method after the program has exited."""
         with self._reading:
             if self.returncode is not None and self._status_fd >= 0:
                 os.close(self._status_fd)
@@ -102,7 +113,7 @@ class ForkedProgram:
                 os.kill(self.pid, signal.SIGINT)
 
     def tree(self) -> list[int]:
-        """Return the process IDs of the program and its descendants, without its own once it has ended."""
+        """Return the process IDs of the program, unless it has exited, and of its descendants."""
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
@@ -113,8 +124,8 @@ class ForkedProgram:
 def request_fork(channel: socket.socket, request: Mapping[str, object], descriptors: Sequence[int]) -> int:
     """Ask a server to fork a program.
 
-    Return the descriptor from which to read the server's reports on the program. Raises OSError if the server is gone.
-    `descriptors`: the file descriptors to pass to the program, such as the one for its output.
+    Return a file descriptor for reading the supervisor's reports about the program. Raises OSError if the server is
+    gone. `descriptors`: the file descriptors to pass to the program, such as the one for its output.
     """
     status_fd, theirs = os.pipe()
     try:
@@ -128,7 +139,7 @@ def request_fork(channel: socket.socket, request: Mapping[str, object], descript
 
 
 def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
-    """Wait for the first report on a requested program, and return the program.
+    """Wait for the first report about a requested program, and return the program.
 
     Raises NotForked if the program wasn't forked, or if no report arrives within `timeout_s` seconds. `status_fd`: the
     descriptor from `request_fork`. It's closed if the program wasn't forked.
@@ -147,10 +158,10 @@ def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
 
 
 class ForkServer:
-    """The server process that forks programs. It ends with its owner.
+    """The server process that forks programs. It exits when its owner does.
 
-    `zygote`: a running server outside of this slot's sandbox, which forks this server if possible. `slot`: the process
-    ID of the sandbox's first process.
+    `zygote`: a running server outside of the slot's sandbox, from which this server is forked if possible. `slot`: the
+    process ID of the first process in the slot's sandbox. (A slot is a process that judges answers.)
     """
 
     def __init__(self, zygote: "Zygote | None" = None, slot: int = 0) -> None:
@@ -163,20 +174,20 @@ class ForkServer:
 
     @property
     def pid(self) -> int | None:
-        """The server's process ID; None if it isn't running or was forked from a zygote."""
+        """The server's process ID, or None if the server isn't running or was forked from a zygote."""
         return None if self._process is None else self._process.pid
 
     def start(self, environ: Mapping[str, str]) -> None:
-        """Start the server if it isn't running, without waiting for it.
+        """Start the server if it isn't running. Don't wait until it's ready.
 
-        `environ` must not contain anything that programs may not see. It's unused if a zygote forks the server, which
-        then has the zygote's environment.
+        `environ` must not contain anything that programs may not see. It's ignored if a zygote forks the server,
+        because the server then inherits the zygote's environment.
         """
         with self._turn:
             if self._channel is not None and not _has_hung_up(self._channel):
                 return
             self.close()
-            zygote, self._zygote = self._zygote, None  # only once: if it breaks, we start the next one
+            zygote, self._zygote = self._zygote, None  # only once: if it breaks, we start a new one
             self._channel = None if zygote is None else zygote.fork_into(self._slot)
             if self._channel is None:
                 self._process, self._channel = start_helper(SERVER, environ)
@@ -188,10 +199,10 @@ class ForkServer:
         environ: Mapping[str, str],
         folder: str,
     ) -> ForkedProgram:
-        """Fork a program into the namespaces of the process whose ID is `namespaces_of`. Raises NotForked.
+        """Fork a program into the namespaces of the process whose ID is `namespaces_of`.
 
-        If `namespaces_of` is 0, the program enters no namespaces. `environ` replaces the environment in `order`.
-        `folder`: the program's working directory.
+        Raises NotForked if that fails. If `namespaces_of` is 0, the program enters no namespaces. `environ` replaces
+        the environment in `order`. `folder`: the program's working directory.
         """
         request = {
             "namespaces_of": namespaces_of,
@@ -219,7 +230,7 @@ class ForkServer:
         return started_program(status_fd, ANSWER_S)
 
     def wait_until_ready(self) -> None:
-        """Wait until the server can fork programs. Raises OSError if it was never started or fails to start."""
+        """Wait until the server can fork programs. Raises OSError if the server was never started or fails to start."""
         with self._turn:
             if self._channel is None:
                 raise OSError("it was never started")
@@ -231,7 +242,7 @@ class ForkServer:
                 self._ready = True
 
     def close(self) -> None:
-        """End the server."""
+        """Stop the server."""
         with self._turn:
             self._ready = False
             if self._channel is not None:
@@ -246,15 +257,15 @@ class ForkServer:
 
 @dataclass(frozen=True)
 class Zygote:
-    """A fork server that forks other fork servers into slots' sandboxes."""
+    """A fork server from which other fork servers are forked, each into a slot's sandbox."""
 
     channel: socket.socket
 
     def fork_into(self, slot: int) -> socket.socket | None:
         """Have the zygote fork a server into a sandbox.
 
-        Return our end of the server's channel; None if the zygote is gone. `slot`: the process ID of the sandbox's
-        first process.
+        Return our end of the new server's channel, or None if the zygote is gone. `slot`: the process ID of the
+        sandbox's first process.
         """
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -267,7 +278,7 @@ class Zygote:
 
 
 def _has_hung_up(channel: socket.socket) -> bool:
-    """Return whether the other end of a channel is closed because its process has ended."""
+    """Return whether the process at the other end of a channel has closed it, for example by exiting."""
     waiting = select.poll()
     waiting.register(channel, 0)
     return any(event & (select.POLLHUP | select.POLLERR) for _, event in waiting.poll(0))
@@ -276,7 +287,7 @@ def _has_hung_up(channel: socket.socket) -> bool:
 class OwnServer:
     """This process's fork server, for programs without isolation. It isn't used until `keep` is called.
 
-    Most processes start only one or two programs, and for so few, a server isn't worthwhile.
+    Most processes start only one or two programs, so a server would cost them more time than it saves.
     """
 
     def __init__(self) -> None:
@@ -286,15 +297,18 @@ class OwnServer:
         self._turn = threading.Lock()
 
     def keep(self) -> None:
-        """Use a fork server from now on. It's started together with the first program."""
+        """Use a fork server from now on. The server starts when the first program does."""
         self._wanted = True
 
     def ready(self) -> ForkServer | None:
-        """Return the server once it can fork programs; return None if `keep` wasn't called or it doesn't start."""
+        """Wait until the server can fork programs, and return it.
+
+        Return None if `keep` wasn't called or if the server fails to start.
+        """
         if not self._wanted:
             return None
         with self._turn:
-            if self._server is None or self._owner != os.getpid():  # a fork of the owner needs its own server
+            if self._server is None or self._owner != os.getpid():  # a fork of the owner needs its own
                 self._server, self._owner = ForkServer(), os.getpid()
                 atexit.register(self.close)
             environ = child_environment(0, log_folder=Path(os.devnull))
@@ -307,11 +321,11 @@ class OwnServer:
 
     @property
     def pid(self) -> int | None:
-        """The server's process ID; None if there is no server."""
+        """The server's process ID, or None if there is no server."""
         return None if self._server is None else self._server.pid
 
     def close(self) -> None:
-        """End the server. The next program starts a new one."""
+        """Stop the server. The next program starts a new one."""
         if self._server is not None and self._owner == os.getpid():
             self._server.close()
 

@@ -1,4 +1,4 @@
-"""Start helper processes that fork programs or run mypy for this process. They receive requests over a socket pair."""
+"""Start helper processes that fork programs or run mypy for this process, on requests through a socket pair."""
 
 import socket
 import subprocess
@@ -12,10 +12,11 @@ from workbook.inside.orphans import exempt
 def start_helper(
     name: str, environ: Mapping[str, str], *, quiet: bool = False
 ) -> tuple[subprocess.Popen[bytes], socket.socket]:
-    """Run a file of `workbook.inside`, and pass it one end of a socket pair. Return its process and our end.
+    """Run a file of `workbook.inside`, and pass it one end of a socket pair. Return its process and the other end.
 
-    Ctrl-C doesn't reach the helper, because it's meant for the helper's owner. No sweep kills the helper until its
-    process ID is passed to `orphans.forget`. `quiet`: whether to discard its standard error.
+    The helper runs in its own session, because Ctrl-C in the terminal is meant for the helper's owner only.
+    `orphans.sweep_orphans` spares the helper until its process ID is passed to `orphans.forget`. `quiet`: whether to
+    discard the helper's standard error.
     """
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     with theirs:

@@ -14,14 +14,16 @@ _OWN_FRAME = re.compile(
     r"(?: {4}[^\n]*\n)*",
     re.MULTILINE,
 )
-"""Matches a frame of our code in any stack trace that a program prints, with print_stack(), faulthandler, or
-logging."""
+"""Matches a stack frame of our own code in a traceback that a program prints.
+
+Programs print tracebacks with print_stack(), faulthandler, or logging.
+"""
 
 
 class ProgramLog:
-    """Reads a program's output, and keeps its first and its last part.
+    """Reads a program's output, and keeps its beginning and its end.
 
-    Calls `on_flood` once, after more than `limit` bytes.
+    Calls `on_flood` once, when the output exceeds `limit` bytes.
     """
 
     def __init__(self, stream_fd: int, limit: int, on_flood: Callable[[], None]) -> None:
@@ -57,16 +59,16 @@ class ProgramLog:
             os.close(self._fd)
 
     def finish(self, timeout_s: float) -> None:
-        """Wait until all output has been read, but at most `timeout_s` seconds."""
+        """Wait until all output has been read, but no longer than `timeout_s` seconds."""
         self._thread.join(timeout_s)
 
     @property
     def truncated(self) -> bool:
-        """Whether a part in the middle was left out."""
+        """Whether the middle of the output was left out."""
         return self._seen > LOG_KEPT_BYTES
 
     def text(self) -> str:
-        """Return the kept parts of the log, without our own frames."""
+        """Return the kept parts of the log, without stack frames of our own code."""
         head, tail = bytes(self._head), bytes(self._tail)
         if self._seen <= len(head) + len(tail):
             return _without_own_frames(plain_text(head + tail))

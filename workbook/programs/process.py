@@ -1,4 +1,4 @@
-"""Run a program in its own process: start it, limit it, end it, and record what happened."""
+"""Run a program in its own process: start it, limit it, stop it, and record what happened."""
 
 import os
 import signal
@@ -34,11 +34,12 @@ def _pipe_with(data: bytes) -> int:
 
 
 class NodeProcess:
-    """A program that runs in its own process and session. `stop` ends it and all its descendants.
+    """A program that runs in its own process and session. `stop` stops the program and all its descendants.
 
-    `tier`: its isolation tier; None for no isolation. `write_profile`: writes a DDS profile for the program into a
-    folder and returns its path; None for the profile that all our processes use. Use a NodeProcess as a context
-    manager, or call `stop`. Raises FileNotFoundError if the program doesn't exist, and OSError if it can't be started.
+    `tier`: its isolation tier, or None for no isolation. `write_profile`: a function that writes a DDS profile for the
+    program into a folder and returns the profile's path. If it's None, the program uses the profile that all our
+    processes use. Use a NodeProcess as a context manager, or call `stop`. Raises FileNotFoundError if the program
+    doesn't exist, and OSError if it can't be started.
     """
 
     def __init__(
@@ -84,7 +85,7 @@ class NodeProcess:
     def _order(
         self, output_fd: int, input_fd: int | None, write_profile: Callable[[Path], Path] | None
     ) -> Order:
-        """Bring the program's files into the confinement, and return the order for starting it."""
+        """Make the program's files available in its confinement, and return the `Order` for starting the program."""
         spec, confinement = self.spec, self._confinement
         arguments = confinement.host_options(spec.limits)
         if spec.in_panel:
@@ -110,7 +111,8 @@ class NodeProcess:
     def _guard(self) -> None:
         """Poll the program, and kill it if it exceeds its limits.
 
-        The kernel limits only single processes, and not root's.
+        The kernel's own limits apply to single processes, not to a program's processes together, and some don't apply
+        to root.
         """
         while self.is_running():
             pids = self._child.tree()
@@ -140,7 +142,7 @@ class NodeProcess:
         return False
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait up to `timeout_s` (s) for the program to end by itself. Return whether it has ended."""
+        """Wait up to `timeout_s` seconds for the program to exit by itself. Return whether it has exited."""
         try:
             self._child.wait(timeout_s)
         except subprocess.TimeoutExpired:
@@ -153,18 +155,21 @@ class NodeProcess:
             self._child.interrupt()
 
     def domains_used(self) -> tuple[int, ...]:
-        """Return the ROS domains on which the program or its descendants had ports open in any call so far."""
+        """Return the ROS domains that the program or its descendants use, or used during an earlier call.
+
+        A domain counts as used if one of its DDS ports is open.
+        """
         if self.is_running():
             used = domains_of(self._child.tree())
             self._domains_used = tuple(sorted({*self._domains_used, *used}))
         return self._domains_used
 
     def processor_seconds(self) -> float | None:
-        """Return the CPU time (s) that the program and its descendants have used; None if the program has ended."""
+        """Return the CPU time, in seconds, of the program and its descendants, or None if the program has exited."""
         return proc.processor_seconds(self._child.tree()) if self.is_running() else None
 
     def note_processor_time(self) -> None:
-        """Record how much CPU time the program has used so far."""
+        """Record the CPU time that the program has used so far, with the current time."""
         used = self.processor_seconds()
         if used is not None:
             self._processor.append((round(time.monotonic() - self.started_at, 4), round(used, 3)))
@@ -173,10 +178,11 @@ class NodeProcess:
         kill_all(lambda: {*self._child.tree(), *processes_marked(self._mark)})
 
     def stop(self, patience_s: float = 2.0, meanwhile: Callable[[], object] = lambda: None) -> None:
-        """End the program: send SIGINT, wait up to `patience_s` (s), and kill all processes that are left.
+        """Stop the program: send SIGINT, wait up to `patience_s` seconds, and kill all remaining processes.
 
-        `meanwhile` is called repeatedly during the wait. SIGTERM isn't used, because this rclpy loses some SIGTERMs
-        while it spins. Raises StillThere if a tier can't end the processes that the program left behind.
+        `meanwhile` is called repeatedly during the wait. SIGTERM isn't used, because this build's rclpy ignores some
+        SIGTERM signals that arrive while it spins. Raises StillThere if the tier can't kill the processes that the
+        program left behind.
         """
         if self.is_running():
             self._ended_by_judge = True
@@ -188,7 +194,7 @@ class NodeProcess:
                     self.killed = True
                     break
                 meanwhile()
-        # a sandbox ends when its program does, unless the process that would end the sandbox was killed
+        # a sandbox is removed when its program exits, unless the process that would remove the sandbox was killed
         if not self.killed:
             try:
                 self._child.wait_for_sandbox(SANDBOX_END_S)

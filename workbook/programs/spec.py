@@ -12,11 +12,12 @@ KEY_BYTES = 32
 
 @dataclass(frozen=True)
 class ProgramSpec:
-    """A Python file to run as `__main__`, with `arguments`, and ROS `parameters` for all of its nodes.
+    """A Python file to run as `__main__`, its `arguments`, and the ROS `parameters` for all of its nodes.
 
-    If there's a `driver`, it runs as `__main__` and can import the program as the module `answer`. It signs its reports
-    with `driver_key`, which the program doesn't get; if the key is empty, it doesn't sign. `check_fields`: whether ROS
-    checks the types of message fields. `in_panel`: whether the panel next to the notebook shows the program's messages.
+    If there's a `driver`, which is another Python file, it runs as `__main__` instead and can import the program as the
+    module `answer`. The driver signs its reports with `driver_key`, which the program can't read, so the program can't
+    forge a report. If the key is empty, the driver doesn't sign. `check_fields`: whether rclpy checks the types of
+    message fields. `in_panel`: whether the panel next to the notebook shows the program's messages.
     """
 
     file: Path
@@ -30,12 +31,12 @@ class ProgramSpec:
 
     @property
     def command_line(self) -> list[str]:
-        """The program's command-line arguments, including those for ROS: `sys.argv` without the program's name."""
+        """The program's command-line arguments, including the ROS arguments: `sys.argv` without the program's name."""
         return [*self.arguments, *ros_arguments(self.parameters)]
 
 
 def ros_arguments(parameters: Mapping[str, object]) -> list[str]:
-    """Return command-line arguments that set ROS parameters for all of a program's nodes; empty for no parameters."""
+    """Return the command-line arguments that set ROS parameters for all of a program's nodes."""
     if not parameters:
         return []
     arguments = ["--ros-args"]

@@ -1,4 +1,8 @@
-"""Define the interface of an isolation tier. `NodeProcess` depends only on it; `workbook.isolation` has the tiers."""
+"""Define the interface of an isolation tier, which is one way to protect the machine from a program.
+
+The tiers themselves are in `workbook.isolation`. `NodeProcess` depends only on this interface. The *host* is the file
+`inside/host.py`, which runs in the program's process and loads the program.
+"""
 
 import importlib.util
 import os
@@ -11,11 +15,11 @@ from typing import Protocol
 from workbook.recording.limits import ADDRESSES_PER_THREAD, ENDED_PROCESSES, THREADS_PER_CORE, Limits
 
 LARGE_PACKAGES = ("torch", "nvidia")
-"""PyTorch, and the CUDA packages that it loads even if there's no graphics processor."""
+"""PyTorch, and the CUDA packages that it loads even on a machine without a GPU."""
 
 
 class Child(Protocol):
-    """A program that was started."""
+    """A program that has been started."""
 
     @property
     def pid(self) -> int:
@@ -24,11 +28,11 @@ class Child(Protocol):
     def poll(self) -> int | None:
         """Return the program's exit code, or None while it's running.
 
-        A negative code is the number of the signal that ended it.
+        A negative code -n means that signal n killed the program.
         """
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program to end, and return its exit code.
+        """Wait for the program to exit, and return its exit code.
 
         Raises subprocess.TimeoutExpired after `timeout` seconds.
         """
@@ -43,21 +47,22 @@ class Child(Protocol):
         """
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Wait for the tier's sandbox, if there's one, to end.
+        """Wait until the tier's sandbox, if there is one, has been removed.
 
         Raises subprocess.TimeoutExpired after `timeout` seconds.
         """
 
     def close(self) -> None:
-        """Release resources. Call this after the program and its sandbox have ended."""
+        """Release resources. Call this method after the program has exited and its sandbox has been removed."""
 
 
 @dataclass(frozen=True)
 class Order:
     """A program to start: its environment, limits, and output descriptor, and the `arguments` for its host.
 
-    `cgroup_join_file`: the file through which the program joins a memory cgroup before any of its code is read; None if
-    there's no group. `input_fd`: its input descriptor; None for a program without input.
+    `cgroup_join_file`: the file through which the program's process joins a memory cgroup before it reads any of the
+    program's code, or None if there's no group. `input_fd`: the descriptor for standard input, or None for a program
+    without input.
     """
 
     arguments: Sequence[str]
@@ -70,37 +75,41 @@ class Order:
 
 @dataclass(frozen=True)
 class Started:
-    """A program, and its start time (`time.monotonic`, s)."""
+    """A program and its start time (`time.monotonic`, in seconds)."""
 
     child: Child
     at: float
 
 
 class Confinement(Protocol):
-    """Isolates one program: provides its files, starts it, measures it, and removes its leftovers."""
+    """Isolates one program: provides its files, starts it, measures its use of resources, and removes its leftovers."""
 
     def bring(self, file: Path, name: str) -> str:
-        """Make a file readable for the program, under this name. Return the path under which the program finds it."""
+        """Make a file readable for the program, under this name. Return the path at which the program can read it."""
 
     def host_options(self, limits: Limits) -> list[str]:
         """Return the host's options for these limits.
 
-        The host applies them in the program's process before it runs the program.
+        The host sets the limits in the program's process before it runs the program.
         """
 
     def start(self, order: Order) -> Started:
         """Start the program in its tier, by forking if possible. Raises OSError if it can't be started."""
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Return the number of files in the program's fullest folder; zero if the tier doesn't limit files."""
+        """Return the number of files in the program's fullest folder, or zero if the tier doesn't limit files."""
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Return how many bytes the program has written to shared file systems; zero if they're private."""
+        """Return the number of bytes that the program has written to file systems that it shares with others.
+
+        Return zero if the program can write only to private file systems.
+        """
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return how many sockets the program has open.
+        """Return the number of sockets that the program has open.
 
-        If only the judge and the program share a network, return how many sockets were added to it since the start.
+        If the program is in a network namespace that only the judge shares, return the number of sockets that were
+        added to that namespace since the program was started.
         """
 
     def queued_bytes(self, worth_counting: int) -> int:
@@ -113,16 +122,19 @@ class Confinement(Protocol):
     def exceeded(self) -> str | None:
         """Return the limit that the program has exceeded according to its memory cgroup.
 
-        Return None if it has exceeded none, or if it has no group.
+        Return None if the program hasn't exceeded any limit, or if it has no group.
         """
 
     def unfiltered(self) -> str:
-        """Return why the tier can't filter the program's system calls, as a clause; empty if it can or needn't."""
+        """Return why the tier can't filter the program's system calls.
+
+        The reason is a clause. It's an empty string if the tier can filter the calls or doesn't need to.
+        """
 
     def sweep(self) -> bool:
-        """End all processes that the ended program left running. Return whether there were any.
+        """Kill all processes that the program left behind when it exited. Return whether there were any.
 
-        Raises StillThere if that isn't possible.
+        Raises StillThere if one of them can't be killed.
         """
 
     def remove(self) -> None:
@@ -130,22 +142,23 @@ class Confinement(Protocol):
 
 
 class Tier(Protocol):
-    """An isolation tier, which confines one program after another."""
+    """An isolation tier, which provides a confinement for each program."""
 
     def confine(self, scratch: Path) -> Confinement:
-        """Return a confinement for one program, whose working folder is `scratch`."""
+        """Return a confinement for one program with the working folder `scratch`."""
 
 
 def threads_of_libraries() -> int:
-    """Return how many threads a program's libraries may start on this machine, in addition to the program's own."""
+    """Return the number of threads that a program's libraries may start on this machine, besides the program's own."""
     return THREADS_PER_CORE * (os.cpu_count() or 1)
 
 
 @cache
 def addresses_of_libraries() -> int:
-    """Return the address space (bytes) that the largest installed libraries take up: the size of their files.
+    """Return the address space, in bytes, that the largest installed libraries take up: the total size of their files.
 
-    They use hardly any memory, because the kernel only maps the files. PyTorch from PyPI maps 2.9 GB.
+    The libraries use much less memory than address space, because the kernel maps their files and loads only the parts
+    in use. PyTorch from PyPI maps 2.9 GB.
     """
     found = importlib.util.find_spec("torch")
     if found is None or not found.submodule_search_locations:
@@ -158,8 +171,9 @@ def addresses_of_libraries() -> int:
 def limit_options(limits: Limits, names: Sequence[str]) -> list[str]:
     """Return the host's options for the named limits, except for limits that aren't set.
 
-    The kernel limits address space and threads, while the judge counts memory and processes, so the kernel's limits are
-    higher. The kernel also counts ended processes that haven't been reaped, which the judge doesn't.
+    The kernel limits address space and the number of threads, while the judge limits memory and the number of
+    processes. Those are smaller, so the options add a margin to the judge's limits. The margin also allows for zombies,
+    which only the kernel counts.
     """
     threads = threads_of_libraries()
     more = {

@@ -1,4 +1,4 @@
-"""Run our own and the readers' programs with limits, but without isolation."""
+"""Run our own programs and the students' own programs with limits, but without isolation."""
 
 import os
 import signal
@@ -19,24 +19,28 @@ from workbook.recording.limits import Limits
 KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core", "signals")
 """The limits that the kernel enforces per process.
 
-The number of processes isn't one of them, because the kernel counts all of the user's processes, but none of root's.
+The number of processes isn't one of them, because the kernel would count all of the user's processes, and it doesn't
+apply that limit to root.
 """
 
 _JOINED = ("/bin/sh", "-c", 'echo 0 >"$0" && exec "$@"')
 
 
 def host_command(*options: str) -> list[str]:
-    """Return the command that runs a program: the host in a fresh Python."""
+    """Return the command that runs a program: the host in a new Python interpreter."""
     return [sys.executable, "-P", str(RUN), "host", *options]
 
 
 def joining(joins: str | None, command: Sequence[str]) -> list[str]:
-    """Return a command that joins a memory cgroup through `joins` (a file), if it isn't None, and runs `command`."""
+    """Return `command`, extended to join the memory cgroup whose join file is `joins` before it runs.
+
+    If `joins` is None, return `command` unchanged.
+    """
     return [*command] if joins is None else [*_JOINED, joins, *command]
 
 
 class FreshProgram(subprocess.Popen[bytes]):
-    """A program in a fresh Python process, which leads its own session and has the working folder `folder`."""
+    """A program in a new Python process, which leads its own session and has the working folder `folder`."""
 
     def __init__(
         self,
@@ -63,7 +67,7 @@ class FreshProgram(subprocess.Popen[bytes]):
         self.send_signal(signal.SIGINT)
 
     def tree(self) -> list[int]:
-        """Return the process IDs of the program and its descendants, without its own once it has ended."""
+        """Return the process IDs of the program, unless it has exited, and of its descendants."""
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
@@ -71,7 +75,7 @@ class FreshProgram(subprocess.Popen[bytes]):
         """Return right away, because this program has no sandbox."""
 
     def close(self) -> None:
-        """Do nothing, because a program in a fresh Python holds no resources after it has ended."""
+        """Do nothing, because such a program doesn't leave any resources to release when it exits."""
 
 
 @dataclass(frozen=True)
@@ -92,10 +96,13 @@ class UnconfinedProgram:
         return limit_options(limits, KERNEL_LIMITS)
 
     def start(self, order: Order) -> Started:
-        """Fork the program if this process has a fork server, or else start it in a fresh Python. Raises OSError."""
+        """Fork the program if this process has a fork server, or else start it in a new Python interpreter.
+
+        Raises OSError.
+        """
         server = own_server.ready()
         if server is not None:
-            began = time.monotonic()  # not before: waiting for the server isn't part of its run
+            began = time.monotonic()  # not earlier: waiting for the server isn't part of the run
             with suppress(NotForked):
                 folder = str(self.scratch)
                 return Started(server.spawn(0, order, order.environ, folder), began)
@@ -117,7 +124,7 @@ class UnconfinedProgram:
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return how many sockets these processes have open."""
+        """Return the number of sockets that these processes have open."""
         return proc.sockets_open(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
@@ -133,7 +140,7 @@ class UnconfinedProgram:
         return ""
 
     def sweep(self) -> bool:
-        """Return False, because only the program's own process tree is ended."""
+        """Return False without killing anything, because nothing is swept up outside of the program's process tree."""
         return False
 
     def remove(self) -> None:

@@ -22,7 +22,7 @@ _SAID = {
 
 
 def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement) -> str | None:
-    """Return the name of the limit that a program's processes `pids` exceed together; None if they exceed none."""
+    """Return the name of a limit that a program's processes `pids` exceed together, or None if they exceed none."""
     hit = confinement.exceeded()
     if hit is not None:
         return hit
@@ -48,12 +48,12 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
 
 
 def too_many(pids: Sequence[int], most: int) -> bool:
-    """Return whether more than `most` of these processes are running, or far more exist, including ended ones."""
+    """Return whether more than `most` of these processes are running, or far more exist if zombies are counted, too."""
     return len(pids) > most and (len(pids) > most + ENDED_PROCESSES or len(running(pids)) > most)
 
 
 def running(pids: Iterable[int]) -> list[int]:
-    """Return the processes that haven't ended. An ended process stays listed until its parent reads its status."""
+    """Return those of the processes that are still running. Zombies, which still have a process ID, are left out."""
     found = []
     for pid in pids:
         with suppress(OSError):
@@ -63,10 +63,11 @@ def running(pids: Iterable[int]) -> list[int]:
 
 
 def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
-    """Return how long (s) to wait until the next poll.
+    """Return the time, in seconds, to wait until the next poll.
 
-    Polling often costs as much CPU time as a small node. A program far from its limits can't reach them during the
-    longer wait, because a processor fills only about 2 GB of memory per second.
+    Frequent polling takes as much CPU time as a small node, so we poll less often while a program is far from its
+    limits. It can't reach the memory limit during the longer wait, because a processor fills only about 2 GB per
+    second.
     """
     processes, memory = limits.processes or 0, limits.memory or 0
     is_far = 2 * len(pids) <= processes and 2 * memory_bytes(pids, memory) <= memory
@@ -74,9 +75,9 @@ def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
 
 
 def limits_in_log(log: str) -> tuple[str, ...]:
-    """Return the limits that a program hit, judging by error messages of Python and C in its log's last lines.
+    """Return the limits that a program hit, judging by Python's and C's error messages in the last lines of its log.
 
-    A program could print such a message itself, but would gain nothing by it.
+    A program could print such a message itself, but it wouldn't gain anything from it.
     """
     end = "\n".join([line for line in log.splitlines() if line.strip()][-_LAST_LINES:])
     return tuple(name for name, pattern in _SAID.items() if re.search(pattern, end))
