@@ -1,5 +1,5 @@
-"""Define the isolation tiers for untrusted programs, all of which implement `workbook.programs.tier.Tier`.
+"""Define the isolation tiers, which are ways to run untrusted programs. All of them implement `programs.tier.Tier`.
 
-`tiers` creates a tier by name, and describes what it protects and what it leaves open. The grading layer imports
-`tiers`, and also `user_ids` to lease user IDs.
+`tiers` creates a tier by name and describes its protection and its gaps. The grading layer imports only `tiers` and, to
+lease user IDs, `user_ids`.
 """

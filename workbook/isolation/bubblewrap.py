@@ -1,4 +1,4 @@
-"""Build bubblewrap's command lines for the outer and the inner sandbox, and test whether they work here."""
+"""Build bubblewrap's command lines for the outer and the inner sandbox, and test whether they work on this machine."""
 
 import os
 import shutil
@@ -19,29 +19,31 @@ WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
 READ_ONLY = ("/", "/dev", "/dev/pts", "/proc")
 """The mounts that bubblewrap itself creates, which must be made read-only.
 
-Two of them have no size limit. Also, a process with root's user ID may write to files in /proc/sys, even without
-capabilities. An answer has that ID if the judge runs as root.
+Some of them have no size limit. /proc must be read-only because a process with root's user ID may write to files in
+/proc/sys, even without capabilities. An answer has that ID if the judge runs as root.
 """
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
 WAITS = ("/bin/sh", "-c", "echo ready && exec >&- && while :; do sleep infinity & wait; done")
 """The command that an empty sandbox runs.
 
-The shell exits if no process reads its "ready", because the reader was killed before the sandbox was tied to it. While
-the shell waits, it reaps the sandbox's processes that end.
+If the process that should read the "ready" was killed before the sandbox was tied to it, the `echo` fails and the shell
+exits. Otherwise, the shell waits, and reaps the sandbox's processes when they exit.
 """
 _SELF_TEST_S = 10.0
 
 
 class NoSandbox(RuntimeError):
-    """Programs can't be sandboxed on this machine. The message says why, and what to do about it."""
+    """Raised when programs can't be sandboxed on this machine. The message says why, and what to do about it."""
 
 
 def outer_command(command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """Return a command that runs `command` with a separate network, read-only files, and a private /dev/shm.
+    """Return a command that runs `command` in an outer sandbox, with its own network, read-only files, and its own
+    /dev/shm.
 
-    This process itself must start the command, because the sandbox ends as soon as this process or the thread that
-    started it ends. `groups`: the folder for memory cgroups, which is the only folder of the machine that `command` may
-    write to; None if there are none. Raises NoSandbox.
+    The process that calls this function must also start the command, because the command contains this process's ID.
+    The sandbox's processes are killed as soon as this process exits or the thread that started the command finishes.
+    `groups`: the folder for memory cgroups, or None if there are none. It's the only folder of the machine that
+    `command` may write to. Raises NoSandbox if bubblewrap isn't installed.
     """
     return [
         *(sys.executable, "-I", "-S", str(RUN), "subreaper", str(os.getpid())),
@@ -50,10 +52,11 @@ def outer_command(command: Sequence[str], groups: Path | None = None) -> list[st
 
 
 def empty_outer_command(info_fd: int, groups: Path | None = None) -> list[str]:
-    """Return a command for an empty outer sandbox. It prints "ready", and stays until its first process is killed.
+    """Return a command for an empty outer sandbox.
 
-    The command must run within another outer sandbox (see `outer_command`). `info_fd`: the descriptor to which
-    bubblewrap writes the first process's ID. Raises NoSandbox.
+    The sandbox prints "ready" and exists until its first process is killed. The command must run within another outer
+    sandbox (see `outer_command`). `info_fd`: the descriptor to which bubblewrap writes the first process's ID. Raises
+    NoSandbox if bubblewrap isn't installed.
     """
     return _outer(WAITS, groups, ("--info-fd", str(info_fd)))
 
@@ -61,7 +64,7 @@ def empty_outer_command(info_fd: int, groups: Path | None = None) -> list[str]:
 def _outer(command: Sequence[str], groups: Path | None, options: Sequence[str] = ()) -> list[str]:
     """Return the command for an outer sandbox.
 
-    The sandbox keeps the machine's /proc, because otherwise, the kernel refuses to mount a new one in the inner
+    The sandbox keeps the machine's /proc, because the kernel would otherwise refuse to mount a new /proc in the inner
     sandbox.
     """
     writable = [] if groups is None else ["--bind", str(groups), str(groups)]
@@ -87,14 +90,16 @@ def inner_command(
     environ: Mapping[str, str],
     options: Sequence[str],
 ) -> list[str]:
-    """Return a command that runs `command` in a sandbox for one program. Raises NoSandbox.
+    """Return a command that runs `command` in a sandbox for one program.
 
-    `files`: descriptors of the files to copy to the answer's folder, by name. They're copied, because a mount would
-    reveal the original path. `readable`: other files that the program may read, in addition to the system's files.
-    `environ`: the program's complete environment. `options`: further bubblewrap options.
+    Raises NoSandbox if bubblewrap isn't installed. `files`: descriptors of the files to copy to the answer's folder, by
+    name. They're copied, because a mount would reveal the original path. `readable`: other files that the program may
+    read, in addition to the system's files. `environ`: the program's complete environment. `options`: further
+    bubblewrap options.
 
-    /dev/full replaces /dev/zero: reading it gives the same zeros, but it provides no shared memory, which wouldn't be
-    counted. There are no terminals, because all sandboxes would share one limit on their number.
+    /dev/full replaces /dev/zero. Both provide zeros, but a program could also get shared memory from /dev/zero, and
+    that memory wouldn't be counted. The sandbox has no pseudoterminals, because all sandboxes would share one limit on
+    their number.
     """
     sandboxed = [
         _bwrap(),
@@ -105,7 +110,7 @@ def inner_command(
         *("--proc", "/proc", "--dev", "/dev", "--dev-bind", "/dev/full", "/dev/zero"),
         *("--tmpfs", "/dev/pts"),
     ]
-    for folder in WRITABLE:  # before the mounts below them
+    for folder in WRITABLE:  # before the mounts inside these folders
         sandboxed += ["--size", str(WRITABLE_BYTES), "--tmpfs", folder]
     sandboxed += system_files()
     for path in readable:
@@ -114,7 +119,7 @@ def inner_command(
         sandboxed += ["--ro-bind-data", str(descriptor), f"{ANSWER_FOLDER}/{name}"]
     for name, value in environ.items():
         sandboxed += ["--setenv", name, value]
-    for folder in READ_ONLY:  # after all mounts below them
+    for folder in READ_ONLY:  # after all mounts inside these folders
         sandboxed += ["--remount-ro", folder]
     return [*sandboxed, "--chdir", HOME, "--", *command]
 
@@ -135,7 +140,10 @@ def system_files() -> list[str]:
 
 @cache
 def sandbox_problem() -> str | None:
-    """Return why programs can't be sandboxed here, and how to fix it; None if they can. The first call tries it."""
+    """Return why programs can't be sandboxed on this machine and how to fix that, or None if they can.
+
+    The first call tests whether a sandbox works.
+    """
     if shutil.which("bwrap") is None:
         return "bubblewrap is not installed (apt install bubblewrap)"
     read_fd, write_fd = os.pipe()

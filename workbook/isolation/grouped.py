@@ -1,4 +1,4 @@
-"""Add a memory cgroup for each program to any tier."""
+"""Extend any isolation tier by a memory cgroup for each program."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -11,7 +11,7 @@ from workbook.recording.limits import Limits
 
 @dataclass
 class GroupedProgram:
-    """Runs a program in another tier's confinement, and in a separate group inside the group `folder`.
+    """Runs a program in a tier's confinement (`confined`), and also in its own memory cgroup inside the group `folder`.
 
     See `workbook.programs.tier.Confinement`.
     """
@@ -21,53 +21,56 @@ class GroupedProgram:
     _group: MemoryGroup | None = field(default=None, init=False)
 
     def bring(self, file: Path, name: str) -> str:
-        """Make the file readable as the tier does, and return its path."""
+        """Make the file readable as the tier's confinement does, and return its path."""
         return self.confined.bring(file, name)
 
     def host_options(self, limits: Limits) -> list[str]:
-        """Return the options of the tier's confinement."""
+        """Return the options that the tier's confinement returns."""
         return self.confined.host_options(limits)
 
     def start(self, order: Order) -> Started:
-        """Start the program in its tier and in a group, or without a group if the kernel refuses it. Raises OSError."""
+        """Start the program in its tier and in a group, or without a group if none can be created.
+
+        There is also no group for a program without a memory limit. Raises OSError if the program can't be started.
+        """
         if order.limits.memory is None:
             return self.confined.start(order)
         try:
             self._group = MemoryGroup(self.folder, order.limits)
-        except OSError:  # the judge still polls its memory
+        except OSError:  # the judge still polls the program's memory
             return self.confined.start(order)
         return self.confined.start(replace(order, cgroup_join_file=self._group.joins))
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Return the result of the tier's confinement."""
+        """Return the result from the tier's confinement."""
         return self.confined.most_files(pids)
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Return the result of the tier's confinement."""
+        """Return the result from the tier's confinement."""
         return self.confined.stored_bytes(pids)
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return the result of the tier's confinement."""
+        """Return the result from the tier's confinement."""
         return self.confined.sockets(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return the result of the tier's confinement."""
+        """Return the result from the tier's confinement."""
         return self.confined.queued_bytes(worth_counting)
 
     def exceeded(self) -> str | None:
-        """Return the limit of its group that the program has exceeded; None if it exceeded none or has no group."""
+        """Return the limit of its group that the program has exceeded, or None if it exceeded none or has no group."""
         return None if self._group is None else self._group.exceeded()
 
     def unfiltered(self) -> str:
-        """Return the tier's reason why system calls aren't filtered; empty if there's none."""
+        """Return why the tier can't filter system calls, or an empty string (see `Confinement`)."""
         return self.confined.unfiltered()
 
     def sweep(self) -> bool:
-        """End leftover processes as the tier does, and return its result."""
+        """Kill leftover processes as the tier's confinement does, and return its result."""
         return self.confined.sweep()
 
     def remove(self) -> None:
-        """Clean up as the tier does, and then remove the group."""
+        """Clean up as the tier's confinement does, and then remove the group."""
         self.confined.remove()
         if self._group is not None:
             self._group.remove()
@@ -75,7 +78,7 @@ class GroupedProgram:
 
 @dataclass(frozen=True)
 class GroupedTier:
-    """Runs each program of `tier` in a separate memory cgroup inside a slot's group, `folder`.
+    """Runs each program in `tier`, and also in its own memory cgroup inside a slot's group, `folder`.
 
     See `workbook.programs.tier.Tier`.
     """
@@ -84,5 +87,5 @@ class GroupedTier:
     folder: Path
 
     def confine(self, scratch: Path) -> Confinement:
-        """Return the tier's confinement, extended by a group that `start` creates."""
+        """Return the tier's confinement, extended by a memory cgroup that `start` creates."""
         return GroupedProgram(self.tier.confine(scratch), self.folder)

@@ -1,4 +1,4 @@
-"""List the files on this machine that every program needs to read, in any tier."""
+"""List the files on this machine that every program needs to read, whatever its isolation tier."""
 
 import os
 import stat
@@ -21,14 +21,15 @@ HOST_FILES = (
 )
 """The files of `workbook/inside` that run in an answer's process."""
 GIVEN = ("__init__.py", "models", "scenes")
-"""The parts of the workbook that an answer may import: an exercise's trained model, and the modules it needs."""
+"""The parts of the package `workbook` that an answer may import: an exercise's trained model and its modules."""
 _PACKAGE = Path(__file__).resolve().parents[1]
 
 
 def interpreter_folders() -> tuple[Path, ...]:
-    """Return the paths of Python, its packages, the host's files, and the parts that an answer may import.
+    """Return the paths of Python, its packages, the host's files, and the modules that an answer may import.
 
-    No other file of the course is included, except the DDS profile.
+    The host is the program that loads an answer (`inside/host.py`). Of the course's other files, only the DDS profile
+    is included.
     """
     ours = (*(_PACKAGE / "inside" / name for name in HOST_FILES), *given_files())
     profile = _PACKAGE / "ros" / "loopback.xml"
@@ -46,7 +47,7 @@ def given_files() -> tuple[Path, ...]:
 
 
 def closed_folder() -> Path | None:
-    """Return a folder that other users may not enter, on the way to a path that programs need; None if there's none."""
+    """Return a parent folder of a path that programs need which other users may not enter, or None if there is none."""
     for place in (*interpreter_folders(), Path(sys.executable), Path(sys.executable).resolve()):
         for folder in reversed(place.parents):
             if not os.stat(folder).st_mode & stat.S_IXOTH:

@@ -1,4 +1,4 @@
-"""The "landlock" tier: the kernel hides all files that a program doesn't need. It works without root, too."""
+"""The "landlock" isolation tier: the kernel hides all files that a program doesn't need. It doesn't require root."""
 
 import os
 import shutil
@@ -33,10 +33,10 @@ NOT_FOR_OTHER_USERS = (*NOT_FOR_ANSWERS, "USER", "LOGNAME")
 
 @dataclass(frozen=True)
 class ConfinedProgram:
-    """A program that `inside/confine.py` confines before it starts. See `workbook.programs.tier.Confinement`.
+    """A program whose process `inside/confine.py` confines before the program starts. See `programs.tier.Confinement`.
 
     The program reads its files from a separate folder (`files`), and may write to its working folder (`scratch`).
-    `hides_files`: whether Landlock hides all other files.
+    `hides_files`: whether Landlock hides all files that the program doesn't need.
     """
 
     scratch: Path
@@ -54,7 +54,7 @@ class ConfinedProgram:
         return limit_options(limits, KERNEL_LIMITS)
 
     def start(self, order: Order) -> Started:
-        """Start the program in a fresh Python that `inside/confine.py` confines first. Raises OSError."""
+        """Start the program in a new Python interpreter that `inside/confine.py` confines first. Raises OSError."""
         command = host_command("--parent", str(os.getpid()), *order.arguments)
         environ = self.environment(order.environ)
         confined = [sys.executable, "-I", "-S", str(RUN), "confine", *self.options(order.limits), "--"]
@@ -71,7 +71,7 @@ class ConfinedProgram:
         inside["PATH"] = PATH_OF_PROGRAMS
         profile = inside.get(PROFILE)
         if profile is not None and Path(profile).parent != self.files:
-            # With an unreadable profile, DDS would use the whole network.
+            # If DDS couldn't read the profile, it would use the whole network.
             inside[PROFILE] = self.bring(Path(profile), "profile.xml")
         inside["PYTHONPATH"] = str(self.give().parent)
         return inside
@@ -79,7 +79,8 @@ class ConfinedProgram:
     def give(self) -> Path:
         """Create a `workbook` package of links to the parts that an answer may import. Return its folder.
 
-        To find a package, Python lists the folder that contains it, but the course's folder is hidden from the answer.
+        To find a package, Python lists the folder that contains the package. The answer can't list the course's folder,
+        because that folder is hidden, so it needs another folder.
         """
         package = self.files / "given" / "workbook"
         package.mkdir(parents=True, exist_ok=True)
@@ -103,19 +104,19 @@ class ConfinedProgram:
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """Measures how much the program writes to files."""
+        """Counts the files that the program writes, and their bytes."""
         return WrittenFiles(self.scratch)
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Return how many files the program has created, in all folders together."""
+        """Return the number of files that the program has created, in all folders together."""
         return self.written.look().files
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
-        """Return how many bytes the program has written to files."""
+        """Return the number of bytes in the program's files."""
         return self.written.look().bytes
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return how many sockets these processes have open."""
+        """Return the number of sockets that these processes have open."""
         return proc.sockets_open(pids)
 
     def queued_bytes(self, worth_counting: int) -> int:
@@ -127,7 +128,7 @@ class ConfinedProgram:
         return None
 
     def unfiltered(self) -> str:
-        """Return why system calls can't be filtered on this machine; empty if they can."""
+        """Return why system calls can't be filtered on this machine, or an empty string if they can."""
         return filter_problem()
 
     def sweep(self) -> bool:
@@ -140,7 +141,10 @@ class ConfinedProgram:
 
 
 class LandlockTier:
-    """The "landlock" tier. See `workbook.programs.tier.Tier`, and `LimitsTier` for the requirements on this process."""
+    """The "landlock" tier. See `workbook.programs.tier.Tier`.
+
+    The process that uses this tier must meet the same requirements as for `LimitsTier`.
+    """
 
     def confine(self, scratch: Path) -> Confinement:
         """Return a confinement with a separate folder for the files that the program reads."""

@@ -1,9 +1,11 @@
-"""Use memory cgroups: the kernel then counts all of an answer's memory, and ends the answer at the limit.
+"""Use memory cgroups, with which the kernel counts all of an answer's memory and kills the answer at the limit.
 
 The kernel also counts memory that polling misses: files in memory, shared memory, pipes, page tables, and sockets.
-`group_keeper` creates a group inside our process's own group, and removes it even if our process is killed. So our own
-group's limits also apply to the answers. That group contains a group for each slot (`lease_groups`), which contains a
-group for each answer. If that isn't possible, `groups_problem` gives the reason, and the judge polls resident and
+
+Groups are nested. `group_keeper` creates one group inside the group that our process belongs to, so the limits of our
+process's group also apply to the answers. The keeper removes its group even if our process is killed. The keeper's
+group contains a group for each slot, which is a process that judges answers (`lease_groups`). A slot's group contains a
+group for each answer. If groups can't be used, `groups_problem` returns the reason, and the judge polls resident and
 shared memory instead.
 """
 
@@ -37,24 +39,29 @@ from workbook.recording.limits import ANSWER_LIMITS, Limits
 
 PREFIX = "rclpy-workbook-"
 LEAF = "grader-of-rclpy-workbook"
-"""The group that we move to in cgroup v2, because a group that contains processes can't limit its subgroups' memory."""
+"""The group that we move our processes to in cgroup v2.
+
+There, a group that contains processes can't limit its subgroups' memory.
+"""
 SOCKETS_FACTOR = 2
-"""The kernel's limit on socket memory, as a multiple of the judge's. It's higher, so that the judge can report the
-excess."""
+"""The kernel's limit on socket memory, as a multiple of the judge's limit.
+
+The kernel's limit is higher, so that an answer can exceed the judge's limit and the judge can report that.
+"""
 _JOIN = ("/bin/sh", "-c", 'echo 0 >"$0"')
 _JOIN_S = 10.0
 _DELEGATE = "systemd-run --user --scope -p Delegate=memory workbook grade …"
 _once = threading.RLock()
-"""Slots start in parallel. The first slot creates the group that they share, while the others wait for this lock."""
+"""Slots start in parallel. The first slot creates the group that they share, and the other slots wait for this lock."""
 
 
 class NoMemoryGroups(RuntimeError):
-    """No memory cgroup is available. The message says why."""
+    """Raised when no memory cgroup is available. The message says why."""
 
 
 @dataclass(frozen=True)
 class Hierarchy:
-    """The machine's cgroups as this process sees them: version 1 or 2, their mount point, and its own group."""
+    """The machine's cgroups as this process sees them: version 1 or 2, the mount point, and the process's own group."""
 
     version: int
     mount: Path
@@ -62,7 +69,11 @@ class Hierarchy:
 
 
 def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierarchy:
-    """Find the cgroup hierarchy that counts memory, using two of the kernel's tables. Raises NoMemoryGroups."""
+    """Find the cgroup hierarchy that counts memory.
+
+    `groups` and `mounts`: the kernel's tables of this process's groups and mounts. Raises NoMemoryGroups if there is
+    none.
+    """
     memberships = own_groups(groups)
     first = [path for _, controllers, path in memberships if "memory" in controllers.split(",")]
     second = [path for number, controllers, path in memberships if number == "0" and not controllers]
@@ -94,7 +105,10 @@ class MemoryGroup:
 
     @property
     def joins(self) -> str:
-        """The file to which a process writes "0" to join. In version 1, it's one that doesn't lock all processes."""
+        """The path of the group's join file: a process that writes "0" to it joins the group.
+
+        Version 1 has two such files. We use the one that doesn't make the kernel lock all processes.
+        """
         return str(self.path / ("tasks" if self.version == 1 else "cgroup.procs"))
 
     def _limit(self) -> None:
@@ -113,7 +127,7 @@ class MemoryGroup:
                 write(str(self.path / "memory.kmem.tcp.limit_in_bytes"), str(SOCKETS_FACTOR * queued))
 
     def exceeded(self) -> str | None:
-        """Return the name (in `Limits`) of a limit that the answer has exceeded; None if it exceeded none."""
+        """Return the name (in `Limits`) of a limit that the answer has exceeded, or None if it exceeded none."""
         if self._exceeded is None:
             if self._ended_by_kernel():
                 self._exceeded = "memory"
@@ -144,7 +158,10 @@ class MemoryGroup:
 
 
 def number_in(path: Path, name: str = "") -> int:
-    """Return the number in one of the kernel's files, or after `name` in a table; zero if there's none."""
+    """Return the number in one of the kernel's files or, if `name` is given, the number after `name` in a table.
+
+    Return zero if there is no such number.
+    """
     try:
         rows = [line.split() for line in read_text(str(path)).splitlines()]
         return next((int(row[-1]) for row in rows if not name or row[0] == name), 0)
@@ -153,9 +170,9 @@ def number_in(path: Path, name: str = "") -> int:
 
 
 class LeasedGroups:
-    """A slot's group, inside the group `above`. It contains the groups of the slot's answers. Raises OSError.
+    """A slot's group, inside the group `above`. It contains the groups of the slot's answers.
 
-    `given_back` is called once, after the group has been removed.
+    `given_back` is called once, after the group has been removed. Raises OSError if the group can't be created.
     """
 
     def __init__(self, above: Path, given_back: Callable[[], None] = lambda: None) -> None:
@@ -176,7 +193,10 @@ class LeasedGroups:
 
 
 class KeptGroup:
-    """A group inside `own` that's removed by `close`, or when this process ends. Raises NoMemoryGroups."""
+    """A group inside `own` that's removed by `close`, or when this process exits.
+
+    Raises NoMemoryGroups if the group can't be created.
+    """
 
     def __init__(self, own: Path) -> None:
         self._owner = os.getpid()
@@ -197,16 +217,19 @@ class KeptGroup:
         self.path = Path(told)
 
     def close(self) -> None:
-        """Have the keeper remove the group, and wait until it's done. In a fork of this process, do nothing."""
+        """Have the keeper remove the group, and wait until the keeper exits.
+
+        Do nothing in a forked child of this process.
+        """
         if self._owner == os.getpid():
             self._keeper.communicate()
             forget(self._keeper.pid)
 
 
 def lease_groups() -> LeasedGroups | None:
-    """Return a group for one slot; None if that's impossible (see `groups_problem`).
+    """Return a group for one slot, or None if that's impossible (see `groups_problem`).
 
-    When the last leased group is removed, the group that contains them is removed, too.
+    When the last slot's group is removed, the group that contained the slots' groups is removed, too.
     """
     if groups_problem() is not None:
         return None
@@ -220,7 +243,7 @@ def lease_groups() -> LeasedGroups | None:
 
 
 def groups_problem() -> str | None:
-    """Return why answers get no memory cgroup here; None if they do.
+    """Return why answers can't have a memory cgroup on this machine, or None if they can.
 
     The first call tries to create a group. It also removes the groups that killed processes left behind.
     """
@@ -248,9 +271,9 @@ def groups_in_words() -> str:
 
 
 class _Keeper:
-    """Holds the group that contains all of this process's slots' groups, while any of them is leased.
+    """Holds the group that contains the groups of all this process's slots, as long as at least one of them is leased.
 
-    It isn't thread-safe, so callers hold `_once`.
+    The class isn't thread-safe, so callers must hold the lock `_once`.
     """
 
     def __init__(self) -> None:
@@ -258,7 +281,7 @@ class _Keeper:
         self.leases = 0
 
     def kept(self) -> KeptGroup:
-        """Return the group. Create it if necessary. Raises NoMemoryGroups."""
+        """Return the group. Create it if necessary. Raises NoMemoryGroups if that fails."""
         if self._kept is None:
             self._kept = KeptGroup(prepare(find_hierarchy()))
             atexit.register(self._kept.close)
@@ -283,10 +306,10 @@ _keeper = _Keeper()
 
 
 def prepare(hierarchy: Hierarchy) -> Path:
-    """Make the subgroups of this process's own group count memory. Return the own group. Raises NoMemoryGroups.
+    """Enable memory limits for the subgroups of this process's own group. Return that own group.
 
     In version 2, this process and its descendants may have to move to a subgroup (`LEAF`). That's impossible if the
-    group also contains other processes.
+    group also contains other processes. Raises NoMemoryGroups.
     """
     own = hierarchy.own
     if hierarchy.version == 1:
@@ -326,7 +349,7 @@ def _words(path: Path) -> list[str]:
 
 
 def try_out(above: Path) -> None:
-    """Create a group for an answer, have a process join it, and remove it. Raises NoMemoryGroups if that fails."""
+    """Create a group for an answer, have a process join the group, and remove it. Raises NoMemoryGroups on failure."""
     try:
         groups = LeasedGroups(above)
     except OSError as error:

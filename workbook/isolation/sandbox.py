@@ -1,8 +1,8 @@
-"""The "sandbox" tier: run bubblewrap in bubblewrap.
+"""The "sandbox" isolation tier: run each answer in an inner bubblewrap sandbox within an outer one.
 
-The outer sandbox contains the observer, with a separate network. Each inner sandbox contains one answer, which uses
-that network, but has no capabilities and sees no other processes. The answer sees only the system's files, the
-interpreter, and its own files, all read-only. It may write only to small folders in memory.
+The outer sandbox contains the judge's process and has its own network. Each inner sandbox contains one answer, which
+uses that network, but has no capabilities and sees no other processes. The answer sees only the system's files, the
+interpreter, and its own files, all read-only. The answer may write only to small folders in memory.
 """
 
 import json
@@ -37,7 +37,7 @@ Code = TypeVar("Code", int, int | None)
 
 
 def filter_file() -> int:
-    """Write bubblewrap's system call filter to a new file, and return its descriptor; -1 if there's no filter."""
+    """Write bubblewrap's system call filter to a new file. Return its descriptor, or -1 if there is no filter."""
     program = against_sandbox_escapes()
     if program is None:
         return -1
@@ -47,10 +47,11 @@ def filter_file() -> int:
 
 
 class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it.
+    """A bubblewrap process that runs a program in a sandbox.
 
-    `descriptors`: those that bubblewrap inherits; the first one is for bubblewrap's status. The command gets neither
-    our environment nor our working folder, because bubblewrap's first process in the sandbox would reveal them.
+    `descriptors`: the descriptors that bubblewrap inherits. bubblewrap writes its status to the first one. The command
+    gets neither our environment nor our working folder, because the program could read them from bubblewrap's first
+    process in the sandbox.
     """
 
     def __init__(self, command: Sequence[str], order: Order, descriptors: Sequence[int]) -> None:
@@ -60,12 +61,12 @@ class SandboxedProgram(FreshProgram):
     def poll(self) -> int | None:
         """Return the program's exit code, or None while bubblewrap is running.
 
-        A negative code is the number of the signal that ended the program.
+        A negative code -n means that signal n killed the program.
         """
         return exit_status(super().poll())
 
     def interrupt(self) -> None:
-        """Send SIGINT to the program in the sandbox. Before the program's start and after its end, do nothing."""
+        """Send SIGINT to the program in the sandbox. Do nothing before its start or after its exit."""
         pid = program_pid(read_info(self._info_fd))
         if pid is not None:
             with suppress(ProcessLookupError):
@@ -74,7 +75,7 @@ class SandboxedProgram(FreshProgram):
 
 @dataclass(frozen=True)
 class SandboxedFork:
-    """A program that was forked into a sandbox; see `workbook.programs.tier.Child`."""
+    """A program that was forked into a sandbox. See `workbook.programs.tier.Child`."""
 
     program: ForkedProgram
     sandbox: "subprocess.Popen[bytes]"
@@ -85,23 +86,24 @@ class SandboxedFork:
         return self.program.pid
 
     def poll(self) -> int | None:
-        """Return the program's exit code, or None while it's running. Raises ServerGone.
+        """Return the program's exit code, or None while it's running.
 
-        A negative code is the number of the signal that ended the program.
+        A negative code -n means that signal n killed the program.
         """
         return self._unless_lost(self.program.poll())
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program to end, and return its exit code.
+        """Wait for the program to exit, and return its exit code.
 
-        Raises ServerGone, and subprocess.TimeoutExpired after `timeout` seconds.
+        Raises subprocess.TimeoutExpired after `timeout` seconds, and ServerGone if the supervisor is gone.
         """
         return self._unless_lost(self.program.wait(timeout))
 
     def _unless_lost(self, code: Code) -> Code:
-        """Return the exit code.
+        """Return the exit code unchanged.
 
-        Raises ServerGone if the supervisor ended without a report, because no program in a sandbox can end it.
+        Raises ServerGone if the supervisor exited without reporting one. The program can't have killed the supervisor
+        from inside the sandbox.
         """
         if self.program.is_lost:
             raise ServerGone("the process is gone that this program was forked from")
@@ -117,11 +119,11 @@ class SandboxedFork:
         return [*self.program.tree(), *(around if self.sandbox.poll() is None else around[1:])]
 
     def wait_for_sandbox(self, timeout: float | None = None) -> None:
-        """Wait for the sandbox to end. Raises subprocess.TimeoutExpired after `timeout` seconds."""
+        """Wait until the sandbox has been removed. Raises subprocess.TimeoutExpired after `timeout` seconds."""
         self.sandbox.wait(timeout)
 
     def close(self) -> None:
-        """Close the descriptor that reports the program's status."""
+        """Close the descriptor through which the program's status is reported."""
         self.program.close()
 
 
@@ -129,8 +131,8 @@ class SandboxedFork:
 class Sandbox:
     """One program's sandbox. See `workbook.programs.tier.Confinement`.
 
-    `readable`: the files that the program may read in addition to its own. If `server` is given, it forks the program
-    into the sandbox.
+    `readable`: the files that the program may read in addition to its own. If `server` is given, the program is forked
+    from it.
     """
 
     scratch: Path
@@ -157,14 +159,14 @@ class Sandbox:
         return limit_options(limits, (*KERNEL_LIMITS, "processes"))
 
     def start(self, order: Order) -> Started:
-        """Start the program in a separate sandbox. If possible, the server forks it. Raises OSError."""
+        """Start the program in its own sandbox, by forking it from the server if possible. Raises OSError."""
         began = time.monotonic()
         self._sockets_before, self._queued_before = proc.sockets_of_network(), proc.queued_bytes(0)
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
             return Started(forked, began)
-        # Without --parent, because a sandbox ends with us anyway, and our process ID isn't visible in it.
+        # Without --parent, because a sandbox is removed when we exit anyway, and our process ID isn't visible in it.
         command = joining(
             order.cgroup_join_file, self.command(host_command("--attended", *order.arguments), environ)
         )
@@ -179,7 +181,7 @@ class Sandbox:
         process's memory.
         """
         filtered = () if self.filter_fd < 0 else ("--seccomp", str(self.filter_fd))
-        for descriptor in self.descriptors[1:]:  # bubblewrap reads them, possibly for the second time
+        for descriptor in self.descriptors[1:]:  # because bubblewrap may read them for the second time
             os.lseek(descriptor, 0, os.SEEK_SET)
         return inner_command(
             command,
@@ -190,11 +192,11 @@ class Sandbox:
         )
 
     def empty(self) -> list[str]:
-        """Return a command for an empty sandbox, which prints "ready" and stays until its first process is killed."""
+        """Return a command for an empty sandbox, which prints "ready" and exists until its first process is killed."""
         return self.command(WAITS, {}, ("--as-pid-1",))
 
     def _fork(self, server: ForkServer, environ: Mapping[str, str], order: Order) -> Child | None:
-        """Create an empty sandbox, and fork the program into it. Return None if that doesn't work here."""
+        """Create an empty sandbox, and fork the program into it. Return None if that fails."""
         server.start(environ)
         ready_fd, said_fd = os.pipe()
         try:
@@ -226,7 +228,7 @@ class Sandbox:
             return None
 
     def most_files(self, pids: Sequence[int]) -> int:
-        """Return how many files and folders are in the fullest of the program's writable folders."""
+        """Return the number of files and folders in the fullest of the program's writable folders."""
         return most_files(pids)
 
     def stored_bytes(self, pids: Sequence[int]) -> int:
@@ -234,14 +236,17 @@ class Sandbox:
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """Return how many sockets have been added to our network since the start.
+        """Return the number of sockets that have been added to our network namespace since the program was started.
 
-        The program and this process share our network. Sockets that are in transit between processes count, too.
+        The program and this process share that namespace. Sockets that are in transit between processes count, too.
         """
         return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return how many more unread bytes our network's sockets hold than at the start (see `proc.queued_bytes`)."""
+        """Return how much the unread bytes in our network namespace's sockets have grown since the program was started.
+
+        See `proc.queued_bytes`.
+        """
         return proc.queued_bytes(worth_counting) - self._queued_before
 
     def exceeded(self) -> str | None:
@@ -249,15 +254,15 @@ class Sandbox:
         return None
 
     def unfiltered(self) -> str:
-        """Return why system calls can't be filtered on this machine; empty if they can."""
+        """Return why system calls can't be filtered on this machine, or an empty string if they can."""
         return filter_problem()
 
     def sweep(self) -> bool:
-        """Return False without doing anything, because all processes in a sandbox end together with it."""
-        return False  # a sandbox's processes end with it
+        """Return False without doing anything, because the kernel kills all of a sandbox's processes with the sandbox."""
+        return False  # the kernel has killed them
 
     def remove(self) -> None:
-        """Close the files that bubblewrap writes to and reads from."""
+        """Close the files that bubblewrap reads and writes."""
         for descriptor in self.descriptors:
             os.close(descriptor)
         self.info_fd = self.filter_fd = -1
@@ -268,10 +273,11 @@ class Sandbox:
 class SandboxTier:
     """The "sandbox" tier. See `workbook.programs.tier.Tier`.
 
-    A `server` forks programs into their sandboxes, so there is no need to start Python for each one. If `alternate` is
-    given, one of the two servers is chosen at random for each program. All of a server's programs have the same hash
-    seed for strings. So without an alternate, an answer that depends on a set's order would get the same verdict on
-    every try. `readable`: the files that programs may read in addition to their own.
+    If `server` is given, programs are forked from it into their sandboxes, so there is no need to start Python for each
+    program. If `alternate` is given, one of the two servers is chosen at random for each program. The reason is that
+    all programs forked from one server have the same hash seed for strings. So without an alternate, an answer that
+    depends on a set's order would get the same verdict on every try. `readable`: the files that programs may read in
+    addition to their own.
     """
 
     server: ForkServer | None = None
@@ -279,7 +285,7 @@ class SandboxTier:
     readable: tuple[Path, ...] = field(default_factory=interpreter_folders)
 
     def confine(self, scratch: Path) -> Confinement:
-        """Return a confinement in a sandbox that `start` creates."""
+        """Return a confinement that runs the program in a sandbox. Its `start` method creates the sandbox."""
         return Sandbox(scratch, self.readable, random.choice((self.server, self.alternate or self.server)))
 
 
@@ -296,7 +302,7 @@ def read_info(info_fd: int) -> str:
 
 
 def first_pid(info: str) -> int | None:
-    """Return the ID of the sandbox's first process, from bubblewrap's report; None if it isn't known yet."""
+    """Return the ID of the sandbox's first process, from bubblewrap's report, or None if the report isn't there yet."""
     try:
         return int(json.loads(info)["child-pid"])
     except (ValueError, KeyError, TypeError):
@@ -304,7 +310,7 @@ def first_pid(info: str) -> int | None:
 
 
 def program_pid(info: str) -> int | None:
-    """Return the ID of the process that runs the program, using bubblewrap's report; None before it exists.
+    """Return the ID of the process that runs the program, using bubblewrap's report, or None before it exists.
 
     bubblewrap's child is the first process in the new PID namespace, and the program is that process's child.
     """
@@ -314,18 +320,19 @@ def program_pid(info: str) -> int | None:
 
 
 def exit_status(code: int | None) -> int | None:
-    """Convert bubblewrap's exit code to the format of `subprocess`: -n if signal n ended the program.
+    """Convert bubblewrap's exit code to the convention of `subprocess`: -n if signal n killed the program.
 
-    bubblewrap returns 128 + n in that case. But 130 stays unchanged, because Python itself returns it after Ctrl-C, and
-    None stays None.
+    bubblewrap returns 128 + n in that case. But 130 stays unchanged, because Python itself returns it after Ctrl-C.
+    None stays None, too.
     """
     return 128 - code if code is not None and 128 < code <= 128 + 31 and code != 130 else code
 
 
 def most_files(pids: Sequence[int]) -> int:
-    """Return how many files and folders are in the fullest folder that a program in a sandbox may write to.
+    """Return the number of files and folders in the fullest folder that a program in a sandbox may write to.
 
-    A process that isn't in its sandbox yet sees the machine's folders. We recognize those by their size, and skip them.
+    A process that isn't in its sandbox yet sees the machine's folders. They're larger than a sandbox's, so we recognize
+    and skip such a process.
     """
     most = 0
     for pid in pids:

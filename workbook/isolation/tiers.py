@@ -1,9 +1,11 @@
 """Create isolation tiers by name, and describe their protection and its gaps.
 
+An isolation tier is one way to protect the machine, the judge, and other answers from an untrusted program.
+
 From the strongest to the weakest, the tiers are "sandbox", "uid", "landlock", and "limits". The "sandbox" tier uses
-bubblewrap, with a separate network. The "uid" tier gives each slot a separate user ID; it's for root on a kernel that
-grants no namespaces. In the "landlock" tier, which ordinary users can use, the kernel hides files. The "limits" tier
-only limits resources and ends leftover processes.
+bubblewrap, with a separate network. The "uid" tier runs each slot's programs under a separate user ID; it's for root on
+a kernel that doesn't grant namespaces. (A slot is a process that judges answers.) In the "landlock" tier, which doesn't
+require root, the kernel hides files. The "limits" tier only limits resources and kills leftover processes.
 """
 
 from collections.abc import Sequence
@@ -33,16 +35,15 @@ _KERNEL = "holes in the Linux kernel"
 
 
 def named_tier(name: str) -> Isolation:
-    """Look up a tier by name. Raises KeyError."""
+    """Return the tier with this name. Raises KeyError if there is none."""
     tiers: dict[str, Isolation] = {tier: tier for tier in BEST_FIRST}
     return tiers[name]
 
 
 def meets_others(isolation: Isolation) -> bool:
-    """Return whether untrusted answers could interact on this machine's network, so that only one may run at a time.
+    """Return whether only one answer may run at a time, because answers could interact on this machine's network.
 
-    In the "limits" tier, they could interact, too, but that tier is for trusted answers, which you'd run without
-    isolation.
+    In the "limits" tier, answers could interact, too, but that tier is for trusted answers, which don't need isolation.
     """
     return isolation in ("uid", "landlock")
 
@@ -58,8 +59,8 @@ def make_tier(
     """Create the tier with this name, for a process that adopts orphaned processes (see `adopt_orphans`).
 
     `ids`: the user IDs for the "uid" tier, leased by the caller. `server` and `alternate`: the fork servers for the
-    "sandbox" tier (see `SandboxTier`). `groups`: the folder for memory cgroups, leased by the caller; None if there are
-    none. Raises ValueError for the "uid" tier without `ids`.
+    "sandbox" tier (see `SandboxTier`). `groups`: the folder for memory cgroups, leased by the caller, or None if there
+    are none. Raises ValueError for the "uid" tier without `ids`.
     """
     tier = _bare_tier(isolation, ids, server, alternate)
     return tier if groups is None else GroupedTier(tier, groups)
@@ -83,15 +84,15 @@ def lease_for(isolation: Isolation) -> Ids | None:
 
 
 def slot_command(isolation: Isolation, command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """Return `command`, which starts a slot, in the form that this tier needs. `groups`: see `make_tier`.
+    """Return `command`, which starts a slot, extended as this tier requires. `groups`: see `make_tier`.
 
-    Raises NoSandbox.
+    Raises NoSandbox if bubblewrap isn't installed.
     """
     return outer_command(command, groups) if isolation == "sandbox" else [*command]
 
 
 def known_problem(isolation: Isolation) -> str | None:
-    """Return why a tier doesn't work here, and how to fix it; None if no reason is known.
+    """Return why a tier doesn't work on this machine and how to fix that, or None if no reason is known.
 
     This function finds only reasons that show up without running an answer in the tier.
     """
@@ -111,7 +112,7 @@ def known_problem(isolation: Isolation) -> str | None:
 
 
 def refuses(isolation: Isolation) -> set[str]:
-    """Return the actions that must fail in a tier, in the words of `inside/tier_probe.py`."""
+    """Return the actions that must fail in a tier, as named in `inside/tier_probe.py`."""
     if isolation == "limits":
         return set()
     refused = {
@@ -121,7 +122,7 @@ def refuses(isolation: Isolation) -> set[str]:
         "can gain capabilities",
     }
     abi = landlock_abi()
-    if isolation != "sandbox":  # in a sandbox, its neighbors are in memory and disappear with it
+    if isolation != "sandbox":  # a sandbox's writable folders are in memory and disappear with it
         refused.add("writes next to its own file")
     if isolation == "uid" or (isolation == "landlock" and abi >= ABI_OF_SIGNALS):
         refused.add("signals the judge")  # in a sandbox, the process ID belongs to another process
@@ -136,7 +137,7 @@ IN_SHORT: dict[str, str] = {
     "landlock": "kept by the kernel from files that are not its own",
     "limits": "with limits on time, memory and processes, and with nothing else between it and this machine",
 }
-"""Describes how each tier protects the machine from an answer, for people who read a result."""
+"""Describes in a few words how each tier protects the machine from an answer. People read this next to a result."""
 
 
 def covers(isolation: Isolation) -> str:
@@ -152,13 +153,16 @@ def covers(isolation: Isolation) -> str:
 
 
 def unfiltered(isolation: Isolation) -> str:
-    """Return a sentence that says so if a tier can't filter system calls here; empty if it can or doesn't need to."""
+    """Return a warning if a tier can't filter system calls on this machine.
+
+    The warning is a sentence. It's an empty string if the tier can filter the calls or doesn't need to.
+    """
     problem = "" if isolation == "limits" else filter_problem()
     return f"System calls of answers are not filtered: {problem}." if problem else ""
 
 
 def leaves_open(isolation: Isolation) -> str:
-    """Return a sentence about what a tier doesn't protect, and a second one if it can't filter system calls."""
+    """Return a sentence that lists a tier's gaps, and a second sentence if the tier can't filter system calls."""
     calls = f" {problem}" if (problem := unfiltered(isolation)) else ""
     if isolation == "sandbox":
         return f"Not protected: {_KERNEL}.{calls}"

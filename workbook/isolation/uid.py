@@ -1,4 +1,7 @@
-"""The "uid" tier, which runs as root and gives each slot its own user ID. With Landlock, it also hides files."""
+"""The "uid" isolation tier, which requires root and runs each slot's programs under a separate user ID.
+
+A slot is a process that judges answers. If the kernel has Landlock, the tier also hides files.
+"""
 
 import os
 from dataclasses import dataclass, field
@@ -15,7 +18,7 @@ from workbook.recording.limits import ENDED_PROCESSES, Limits
 from workbook.ros.scratch import scratch_folder
 
 EXTRA_PROCESSES = 32
-"""How many more processes the kernel allows than the judge does, so that the judge can report the excess."""
+"""The kernel's limit on processes is higher than the judge's by this number, so that the judge can report an excess."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,7 +26,7 @@ class UserProgram(ConfinedProgram):
     """A program that runs as the user `ids.user`. See `workbook.programs.tier.Confinement`.
 
     `sweeps_orphans`: whether this process adopts the processes that programs leave behind (see `adopt_orphans`), and
-    may end all of its children, except exempt ones.
+    may kill all of its children, except those passed to `orphans.exempt`.
     """
 
     ids: Ids
@@ -63,13 +66,13 @@ class UserProgram(ConfinedProgram):
 
     @cached_property
     def written(self) -> WrittenFiles:
-        """Measures how much the program writes to `scratch`, and how much its user writes to world-writable folders."""
+        """Counts the program's files in `scratch`, and its user's files in world-writable folders."""
         return WrittenFiles(self.scratch, shared_folders(), self.ids.user)
 
     def sweep(self) -> bool:
-        """Kill all of the user's processes, and those that the program left behind. Return whether there were any.
+        """Kill all of the user's processes and all processes that the program left behind.
 
-        Raises StillThere if a process doesn't end.
+        Return whether there were any. Raises StillThere if one of them can't be killed.
         """
         left = self.ids.sweep()
         return (self.sweeps_orphans and sweep_orphans() > 0) or left

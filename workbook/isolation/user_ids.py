@@ -1,7 +1,7 @@
-"""Lease unused user IDs for untrusted programs, and end the processes that run under them.
+"""Lease unused user IDs for untrusted programs, and kill the processes that run under those IDs.
 
-Each slot gets a pair of IDs, which need no accounts. Programs run under the first ID; the process that ends them runs
-under the second (see `sweeper`).
+Each slot, which is a process that judges answers, gets a pair of IDs. The IDs don't need user accounts. Programs run
+under the first ID; the process that kills them runs under the second (see `inside/sweeper.py`).
 """
 
 import ctypes
@@ -29,13 +29,14 @@ _IPC_REMOVE = 0
 
 
 class NoIds(RuntimeError):
-    """No user ID can be leased on this machine. The message says why."""
+    """Raised when no user ID can be leased on this machine. The message says why."""
 
 
 class Ids:
-    """A leased pair of user IDs: `user` for programs, and `sweeper` for the process that ends them.
+    """A leased pair of user IDs: `user` for programs, and `sweeper` for the process that kills them.
 
-    The lease ends with `release`, or when `holder` is closed; without a `holder`, there's no lease.
+    `holder`: the socket that represents the lease, or None for a pair that isn't leased. The lease lasts until
+    `release` is called or the socket is closed in another way.
     """
 
     def __init__(self, user: int, holder: socket.socket | None = None) -> None:
@@ -52,7 +53,7 @@ class Ids:
     def sweep(self) -> bool:
         """Kill all of `user`'s processes, and remove the user's files in shared folders and System V IPC objects.
 
-        Return whether there were any processes. Raises StillThere if a process hasn't ended after 20 s.
+        Return whether there were any processes. Raises StillThere if a process is still running after 20 s.
         """
         command = [sys.executable, "-I", "-S", str(RUN), "sweeper", str(self.user), str(self.sweeper)]
         found = bool(processes_of(self.user))
@@ -78,7 +79,7 @@ class Ids:
 
 
 def lease_ids() -> Ids:
-    """Lease a pair of unused user IDs, until `release` is called or this process ends. Raises NoIds."""
+    """Lease a pair of unused user IDs until `release` is called or this process exits. Raises NoIds if it can't."""
     if os.geteuid() != 0:
         raise NoIds("only root can run programs under separate user ids")
     known = [one for one in RANGES if proc.knows_ids(*one)]
@@ -90,7 +91,7 @@ def lease_ids() -> Ids:
         user = first + 2 * random.randrange(count // 2)
         if taken & {user, user + 1}:
             continue
-        holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it never listens
+        holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it only reserves its address
         try:
             holder.bind(f"\0{SOCKET_PREFIX}{user}")
         except OSError:
@@ -101,17 +102,17 @@ def lease_ids() -> Ids:
 
 
 def processes_of(user: int) -> list[int]:
-    """Return a user's processes that haven't ended."""
+    """Return the IDs of a user's running processes."""
     return [pid for pid, owner in proc.running_users() if owner == user]
 
 
 def shared_folders() -> tuple[str, ...]:
-    """Return this machine's folders that everyone may write to."""
+    """Return this machine's folders that every user may write to."""
     return tuple({*SHARED_FOLDERS, tempfile.gettempdir()})
 
 
 def remove_files_of(user: int) -> None:
-    """Remove a user's files and folders from the folders that everyone may write to."""
+    """Remove a user's files and folders from the folders that every user may write to."""
     for folder in shared_folders():
         try:
             entries = [*Path(folder).iterdir()]

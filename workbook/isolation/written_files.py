@@ -1,4 +1,4 @@
-"""Measure a program's files on the disk and in shared memory, for tiers whose file systems don't limit them."""
+"""Count a program's files and bytes on disk and in shared memory, for tiers whose file systems don't limit them."""
 
 import os
 import time
@@ -12,7 +12,7 @@ from workbook.recording.limits import ANSWER_LIMITS
 
 LOOK_EVERY_S = 1.0
 WORTH_A_LOOK = (ANSWER_LIMITS.stored or 0) // 4
-"""If the use of the watched file systems grows by more than this many bytes, count the program's files right away."""
+"""If the space used in the watched file systems grows by more than this many bytes, we count the files right away."""
 SHARED_MEMORY = "/dev/shm"
 ENOUGH = 50_000
 """The number of files at which counting stops. No program may have that many."""
@@ -22,7 +22,7 @@ _BLOCK = 512
 class WrittenFiles:
     """Counts the files in `own`, and the files in the `shared` folders that belong to `user`, with their bytes.
 
-    It isn't thread-safe.
+    The class isn't thread-safe.
     """
 
     def __init__(self, own: Path, shared: Sequence[str] = (), user: int | None = None) -> None:
@@ -34,7 +34,10 @@ class WrittenFiles:
         self.files = self.bytes = 0
 
     def look(self) -> "WrittenFiles":
-        """Count again if a second has passed or much has been written. Return this object with its latest counts."""
+        """Count again if a second has passed since the last count, or if much has been written. Return this object.
+
+        Its attributes `files` and `bytes` have the latest counts.
+        """
         now, in_use = time.monotonic(), self._space_in_use()
         if now >= self._look_at or in_use > self._in_use + WORTH_A_LOOK:
             self._look_at, self._in_use = now + LOOK_EVERY_S, in_use
@@ -79,10 +82,10 @@ class WrittenFiles:
 
 
 class SharedMemory:
-    """Estimates a program's use of shared memory if the judge and other programs run as the same user.
+    """Estimates a program's use of shared memory while the judge and other programs run as the same user.
 
-    The kernel doesn't report which process created a file there. A file may be the program's if it's new, but the
-    program's files can't be larger than all that it has written.
+    The kernel doesn't report which process created a file in shared memory. So we count every new file as the
+    program's, but not more bytes than the program has written in total.
     """
 
     def __init__(self, folder: str = SHARED_MEMORY) -> None:
@@ -91,10 +94,10 @@ class SharedMemory:
         self._in_use = self._space_in_use()
 
     def bytes_of(self, pids: Sequence[int], elsewhere: int) -> int:
-        """Return how many bytes these processes may have written to shared memory.
+        """Return the number of bytes that these processes may have written to shared memory.
 
-        Return zero if the use of shared memory has hardly grown. `elsewhere`: the number of bytes that they have
-        written to other files.
+        Return zero if the use of shared memory has hardly grown. `elsewhere`: the number of bytes that the processes
+        have written to other files.
         """
         if self._space_in_use() < self._in_use + WORTH_A_LOOK:
             return 0
@@ -128,7 +131,7 @@ def _status(entry: os.DirEntry[str]) -> os.stat_result:
 
 
 def _entries(folder: str) -> list[os.DirEntry[str]]:
-    """Return the first `ENOUGH` entries of a folder; none if it's gone. Raises OSError if it can't be read."""
+    """Return a folder's first `ENOUGH` entries, or none if the folder is gone. Raises OSError if it can't be read."""
     try:
         with os.scandir(folder) as entries:
             return [*islice(entries, ENOUGH)]
