@@ -258,7 +258,7 @@ class Sandbox:
         return filter_problem()
 
     def sweep(self) -> bool:
-        """Return False without doing anything, because the kernel kills all of a sandbox's processes with the sandbox."""
+        """Return False without doing anything, because a sandbox's processes are killed together with the sandbox."""
         return False  # the kernel has killed them
 
     def remove(self) -> None:

@@ -1,4 +1,7 @@
-"""Define recordings, plans, and scripts as data, with the standard library only.
+"""Define recordings, plans, and scripts as data.
 
-Every package of a higher layer may import the modules `recording`, `plan`, `script`, and `machine`.
+A recording stores what a program did in a run, a plan says what to watch, and a script says what the judge sends. This
+package uses no ROS.
+
+Packages of all higher layers may import the modules `recording`, `plan`, `script`, and `machine`.
 """

@@ -3,12 +3,12 @@
 The type hints of a class determine how its fields are converted.
 
 The supported hints are `str`, `int`, `float`, `bool`, `None`, `Any`, `Literal`, `X | None`, `tuple`, `Mapping[str, X]`,
-and dataclasses. A field is stored under its own name unless its metadata says otherwise (`stored_as`, `NOT_STORED`,
-`STORED_IF_SET`). A field with a default may be missing from data that an older version wrote, unless the field is
+and dataclasses. Every field is stored under its own name unless its metadata say otherwise (`stored_as`, `NOT_STORED`,
+`STORED_IF_SET`). A field with a default may be missing from data that an older version wrote, unless its metadata are
 `ALWAYS_STORED`. Decoding raises Malformed if the data contains unknown fields. A class can instead keep such fields in
 a mapping (`UNKNOWN_FIELDS`), or drop them with `ignores_unknown_fields: ClassVar[bool] = True`.
 
-Only fields declared as `Any` may contain infinite numbers or NaN, which are stored as `{"float": "nan"}`.
+Only fields declared as `Any` may contain infinite numbers or NaN. They're stored in the form `{"float": "nan"}`.
 """
 
 from workbook.recording.decoding import decode

@@ -24,7 +24,7 @@ _NON_FINITE = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
 
 
 def decode(kind: type[Decoded], data: object) -> Decoded:
-    """Convert data from `encode` back to an object of class `kind`.
+    """Convert data that `encode` returned back to an object of the class `kind`.
 
     Raise Malformed, which is a ValueError, if the data doesn't fit the class.
     """
@@ -59,7 +59,7 @@ def _refuse(data: object, wanted: str) -> NoReturn:
 def _decode_any(data: Any) -> Any:
     kind = type(data)
     if kind is list:
-        if _CONTAINERS.isdisjoint(map(type, data)):  # long arrays of numbers
+        if _CONTAINERS.isdisjoint(map(type, data)):  # a fast path for long arrays of numbers
             return data.copy()
         return [_decode_any(item) for item in data]
     if kind is dict:
@@ -87,7 +87,8 @@ def _decode_str(data: Any) -> str:
         try:
             data.encode()
         except UnicodeEncodeError:
-            # JSON can contain half a character (a lone surrogate), but such text can't be written to a file.
+            # JSON can contain half a character (a lone surrogate), but a string that contains one can't be written to a
+            # file.
             raise Malformed(f"{quoted(data)} holds half a character") from None
     return data
 

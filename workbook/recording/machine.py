@@ -1,7 +1,8 @@
-"""Store how messages and timer ticks reached their callbacks, which of them were dropped, and what the threads did.
+"""Store how messages and timer ticks reached their callbacks, which of them were lost, and what the threads did.
 
-All times are in seconds since the recording began. Arrivals, takes, calls, and waits were recorded as they happened.
-Dropped messages are computed from them, because a full queue drops its oldest message for each new one.
+The "machine" is the machinery between a message and its callback: queues, wait set, executor, and threads. All times
+are in seconds since the recording began. `machine_tap` recorded arrivals, takes, calls, and waits as they happened.
+Dropped messages are computed from those, because a full queue drops its oldest message for each new one.
 """
 
 from collections.abc import Mapping, Sequence
@@ -13,12 +14,12 @@ NS = 1e9
 SPINS_ON_S = 0.02
 """If a thread is back in the wait set or in a callback within this time (s), we assume that it never left `spin`."""
 SAME_TICK_S = 0.5
-"""Planned timer ticks that are closer together than this share of the timer's period count as the same tick."""
+"""Planned timer ticks that are closer together than this fraction of the timer's period count as the same tick."""
 
 
 @dataclass(frozen=True)
 class Source:
-    """A source that an executor waits for: its kind, name, callback name, and queue depth.
+    """A source of work that an executor waits for: its kind, name, callback name, and queue depth.
 
     `period` (s) is None unless the source is a timer. `group` identifies the callback group.
     """
@@ -33,10 +34,11 @@ class Source:
 
 @dataclass(frozen=True)
 class Item:
-    """A message, request, response, or timer tick in its queue. `came`: when it arrived (s).
+    """A message, request, response, or timer tick, which waits in its source's queue until an executor takes it.
 
-    `taken`: when the executor took it (s), or None. `lost`: when a full queue dropped it, or when a timer missed the
-    tick (s), or None.
+    `source`: the source's index. `number`: the item's number within its source, starting at 1. `came`: the time (s) at
+    which it arrived. `taken`: the time (s) at which the executor took it, or None if that didn't happen. `lost`: the
+    time (s) at which a full queue dropped it or a timer missed the tick, or None if it wasn't lost.
     """
 
     source: int
@@ -46,14 +48,14 @@ class Item:
     lost: float | None = None
 
     def waits(self, now: float) -> bool:
-        """Return whether the item is in its queue at this moment."""
+        """Return whether the item is in its queue at time `now`."""
         gone = min(one for one in (self.taken, self.lost, float("inf")) if one is not None)
         return self.came <= now < gone
 
 
 @dataclass(frozen=True)
 class Call:
-    """One run of a callback: the item that it handles, its thread, its begin and end (s), and its pauses."""
+    """One run of a callback: the item that it handles, its thread, its start and end times (s), and its pauses."""
 
     source: int
     number: int
@@ -63,17 +65,17 @@ class Call:
     pauses: Sequence[tuple[float, float]] = ()
 
     def runs(self, now: float) -> bool:
-        """Return whether the call has begun but not ended."""
+        """Return whether the call is in progress at time `now`."""
         return self.begin <= now < self.end
 
     def is_paused(self, now: float) -> bool:
-        """Return whether the call is at an `await` that has released the thread."""
+        """Return whether the call is at an `await` at time `now` and has released its thread."""
         return any(begin <= now < end for begin, end in self.pauses)
 
 
 @dataclass(frozen=True)
 class Wait:
-    """One wait of an executor in its wait set: its begin and end (s), and the indexes of the sources in the set."""
+    """One wait of an executor for its wait set: the start and end times (s), and the indexes of the set's sources."""
 
     begin: float
     end: float
@@ -82,9 +84,10 @@ class Wait:
 
 @dataclass(frozen=True)
 class MachineRecording:
-    """A recording of some nodes and their executor that lasted `seconds`.
+    """A recording of one or more nodes and their executor. `seconds`: its duration.
 
-    `spinning`: the times (s) when a thread was inside `spin`. `threads`: how many threads run callbacks.
+    `spinning`: the start and end times (s) of the intervals in which a thread was inside `spin`. `threads`: the number
+    of threads that run callbacks.
     """
 
     sources: Sequence[Source]
@@ -96,33 +99,33 @@ class MachineRecording:
     seconds: float
 
     def waiting(self, source: int, now: float) -> list[Item]:
-        """Return the items in a source's queue at this moment, oldest first."""
+        """Return the items in a source's queue at time `now`, oldest first."""
         return [one for one in self.items if one.source == source and one.waits(now)]
 
     def lost(self, source: int, now: float) -> list[Item]:
-        """Return the items that a source has lost up to this moment."""
+        """Return the items that a source has lost by time `now`."""
         return [
             one for one in self.items if one.source == source and one.lost is not None and one.lost <= now
         ]
 
     def running(self, now: float) -> list[Call]:
-        """Return the callbacks that are running at this moment."""
+        """Return the calls that are in progress at time `now`."""
         return [call for call in self.calls if call.runs(now)]
 
     def looks(self, now: float) -> bool:
-        """Return whether a thread is or could be in the wait set.
+        """Return whether a thread is waiting in the wait set at time `now`, or could be.
 
-        The only thread of an executor can't be while running a callback.
+        If the executor has only one thread, that thread can't wait while it runs a callback.
         """
         busy = [call for call in self.running(now) if not call.is_paused(now)]
         return self.spins(now) and (self.threads > 1 or not busy)
 
     def spins(self, now: float) -> bool:
-        """Return whether a thread is inside `spin` at this moment."""
+        """Return whether a thread is inside `spin` at time `now`."""
         return any(begin <= now <= end for begin, end in self.spinning)
 
     def waits_for(self, now: float) -> Sequence[int] | None:
-        """Return the indexes of the sources in the current or latest wait; None before the first wait."""
+        """Return the indexes of the sources in the current or latest wait, or None before the first wait."""
         before = [wait for wait in self.waits if wait.begin <= now]
         return before[-1].sources if before else None
 
@@ -180,7 +183,7 @@ def _messages(
     arrivals: Sequence[Mapping[str, Any]],
     began: int,
 ) -> list[Item]:
-    """Return a source's messages in the order of arrival."""
+    """Return a source's messages in order of arrival, with the dropped ones marked."""
     taken = {call["sent"]: call for call in calls if call["sent"] is not None}
     came = {one["sent"]: one["arrived"] for one in arrivals}
     came |= {sent: call["arrived"] for sent, call in taken.items()}
@@ -200,7 +203,7 @@ def _thrown_away(items: Sequence[Item], depth: int) -> list[Item]:
         queue = [one for one in queue if not (taken := found[one].taken) or taken > item.came]
         if len(queue) >= depth:
             lost = next((one for one in queue if found[one].taken is None), None)
-            if lost is not None:  # otherwise, the executor took an item at this very moment
+            if lost is not None:  # otherwise, the executor took an item at the same time
                 queue.remove(lost)
                 found[lost] = replace(found[lost], lost=item.came)
         queue.append(place)
@@ -210,7 +213,7 @@ def _thrown_away(items: Sequence[Item], depth: int) -> list[Item]:
 def _ticks(
     place: int, source: Mapping[str, Any], calls: Sequence[Mapping[str, Any]], began: int, seconds: float
 ) -> list[Item]:
-    """Return a timer's ticks: ticks that ran its callback, planned ticks that it missed, and a tick still waiting."""
+    """Return a timer's ticks: those that ran its callback, planned ticks that were missed, and a tick still waiting."""
     period = source["period"] / NS
     items: list[Item] = []
 

@@ -1,8 +1,8 @@
-"""Define the recording of a program's run: which nodes published which messages when, and what the process did.
+"""Define the recording of a program's run: the nodes' messages, with times, and the behavior of the process.
 
-A recording is plain data, made once and stored as JSON. Everything else (figures, criteria, feedback) is derived from
-it. Times named `t` are simulated time (s) since the watch began. Times named `wall` are real time (s) since the program
-was started.
+A recording is plain data, made once and stored as JSON. Figures, verdicts, and feedback are derived from it. A watch is
+the part of the run in which the judge observes the program. Fields named `t` are simulated times (s) since the watch
+began, and fields named `wall` are real times (s) since the program was started.
 """
 
 import json
@@ -22,8 +22,8 @@ Clock = Literal["simulated", "wall"]
 class Arrival:
     """One message as it arrived. `value` contains its fields as plain data, e.g. `{"data": 99.5}`.
 
-    `t` and `wall` are its arrival times. `sent` is the wall time (s) at which the program published it, from the time
-    stamp that DDS adds to every message. It's None in old recordings.
+    `t` and `wall` are its arrival times. `sent` is the wall time (s) at which the program published it, from the
+    timestamp that DDS adds to every message, or None in old recordings.
     """
 
     t: float
@@ -34,10 +34,11 @@ class Arrival:
 
     @property
     def published(self) -> float:
-        """When the program published the message (wall time in seconds), or when the message arrived if that's unknown.
+        """The wall time (s) at which the program published the message, or its arrival time if the former is unknown.
 
-        DDS sends a lost message again, so messages on two topics may arrive in a different order than they were
-        published. So compare these times to find out which message came first, or which message caused another.
+        DDS resends lost messages, so messages on two topics may arrive in a different order than they were published.
+        To find out which message came first or which message caused another, compare these times, not the arrival
+        times.
         """
         return self.wall if self.sent is None else self.sent
 
@@ -47,7 +48,7 @@ class PublisherSeen:
     """A publisher in the graph: its node's fully qualified name, its type, its QoS, and when the judge saw it.
 
     `deadline` and `lifespan` are in seconds, or None if there is no such limit. `last_seen` is None if the publisher
-    stayed.
+    was still there when the watch ended.
     """
 
     node: str
@@ -76,14 +77,15 @@ class SubscriberSeen:
 
 @dataclass(frozen=True)
 class TopicRecording:
-    """The recording of one topic. `window` is the start and end (s) of its watch, which begins when it's matched.
+    """The recording of one topic.
 
-    `undecodable`: the number of messages whose bytes don't fit the type. `not_kept`: the number of messages that
-    arrived but aren't stored; `too_large` of them exceeded the size limit. `broken_at`: when (simulated time, s) the
-    first undecodable or too large message arrived. `full_at`: when this topic's quota was used up; None if it never
-    was. `room`: the quota in bytes if the topic ran out of bytes; None if it ran out of messages. `kept`: how many
-    earlier messages a late subscription received. It's None if there was no such subscription, or if new messages
-    arrived in the meantime.
+    `window`: the start and end (s) of its watch, which begins when the judge's subscription is matched. `undecodable`:
+    the number of messages whose bytes don't fit the type. `not_kept`: the number of messages that arrived but aren't
+    stored; `too_large` of them exceeded the size limit. `broken_at`: the simulated time (s) at which the first
+    undecodable or too large message arrived, or None if there was none. `full_at`: the simulated time (s) at which this
+    topic's quota was used up, or None if it never was. `room`: the topic's quota in bytes, or None if the quota that
+    was used up was the number of messages. `kept`: the number of earlier messages that a late subscription received, or
+    None if there was no such subscription or if new messages arrived in the meantime.
     """
 
     name: str
@@ -102,16 +104,16 @@ class TopicRecording:
 
     @property
     def types(self) -> tuple[str, ...]:
-        """The message types of the topic's publishers, sorted, each once."""
+        """The message types of the topic's publishers, sorted and without duplicates."""
         return tuple(sorted({publisher.type for publisher in self.publishers}))
 
 
 @dataclass(frozen=True)
 class NodeSeen:
-    """A node in the graph: its fully qualified name, and when (wall time, s) it appeared.
+    """A node in the graph: its fully qualified name and the wall time (s) at which it appeared.
 
-    `most`: the largest number of nodes with this name at the same time. `stayed`: whether it was still in the graph
-    after the program's end; None if the end wasn't watched.
+    `most`: the largest number of nodes with this name that existed at the same time. `stayed`: whether the node was
+    still in the graph after the program had exited, or None if the judge didn't watch the graph then.
     """
 
     name: str
@@ -124,7 +126,7 @@ class NodeSeen:
 class Published:
     """One message of the script, as the judge published it. `value` contains its fields as plain data, as in `Arrival`.
 
-    `t` and `wall`: simulated and wall time (s) just before the judge published it.
+    `t` and `wall`: the simulated and the wall time (s) just before the judge published it.
     """
 
     topic: str
@@ -136,7 +138,7 @@ class Published:
 
 @dataclass(frozen=True)
 class CallSeen:
-    """One service call. `by`: "program" for the program's call to the judge's service, "judge" for a call by the judge.
+    """One service call. `by`: the caller, which is "program" or "judge".
 
     `response`, `answered_t`, and `answered_wall` are None if there was no response.
     """
@@ -153,21 +155,22 @@ class CallSeen:
 
 @dataclass(frozen=True)
 class ServiceSeen:
-    """The fully qualified name and type of a service that the program offers or has a client for."""
+    """A service that the program offers or has a client for: its fully qualified name and its type."""
 
     name: str
     type: str
 
 
 SILENCED, UNCHECKED, UNFINISHED = "silenced", "unchecked", "unfinished"
-"""Codes of findings that we add: code that silences mypy, code that mypy skips, and a mypy run that didn't finish."""
+"""The codes of findings that we add: comments that silence mypy, code that mypy skips, and an unfinished mypy run."""
 
 
 @dataclass(frozen=True)
 class Finding:
     """One message from the type checker about the program or a probe, which is code that uses the program.
 
-    `probe`: the probe's name; "" for the program. `line` counts from 1; it's 0 if the finding isn't about a line.
+    `probe`: the probe's name, or "" for the program. `line`: the line number, starting at 1, or 0 if the finding isn't
+    about a single line.
     """
 
     probe: str
@@ -178,12 +181,12 @@ class Finding:
 
 @dataclass(frozen=True)
 class SpinSeen:
-    """A source line that spins and may be why nothing is published: `code` at `line` (from 1).
+    """A source line that spins a node and may be the reason why nothing is published: `code` at `line` (from 1).
 
-    `callback`: the callback that runs this line; empty if none does. `kept`: the step that is never reached, because
-    this call doesn't return. That's another "spin", a line that would "create" an object, or the next "round" of a
-    loop. `later` and `later_code`: the number and code of the line that is never reached. `waits`: if the line doesn't
-    spin, but waits in vain, "rate" or "future".
+    `callback`: the callback that contains this line, or "" if none does. `kept`: the kind of step that is never
+    reached, because this call doesn't return: another "spin", a line that would "create" an object, or the next "round"
+    of a loop. `later` and `later_code`: the number and the code of the line that is never reached. `waits`: "rate" or
+    "future" if the line doesn't spin, but waits in vain for a rate or a future, or else "".
     """
 
     line: int
@@ -198,13 +201,14 @@ class SpinSeen:
 
 @dataclass(frozen=True)
 class ProcessRecord:
-    """How the program ran and ended. `ended_by` is "itself", "judge", or None while it runs.
+    """A record of the program's process.
 
-    `log` is its output up to the judge's Ctrl-C, `end_log` its output after that. `processor`: on the wall clock, pairs
-    of a wall time (s) and the CPU time (s) that the program had used by that time. `printed_at`: when the last text of
-    `log` arrived (wall time, s). `driver_key`: the key with which a driver signed its reports, in hexadecimal. It's
-    empty if there was no driver, and in old recordings. `unfiltered`: a clause that says why the sandbox tier couldn't
-    filter system calls. It's empty if they were filtered, or if the tier doesn't filter any.
+    `ended_by`: what made it exit ("itself" or "judge"), or None while it's running. `log`: its output until the judge
+    sent SIGINT. `end_log`: its output after that. `processor`: on the wall clock, pairs of a wall time (s) and the CPU
+    time (s) that the program had used by that time. `printed_at`: the wall time (s) at which the last output in `log`
+    arrived. `driver_key`: the key, in hexadecimal, with which a driver signed its reports. It's empty if there was no
+    driver, and in old recordings. `unfiltered`: a clause that says why the isolation tier couldn't filter system calls.
+    It's empty if they were filtered, or if the tier doesn't filter any.
     """
 
     program: str = ""
@@ -235,27 +239,28 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Recording:
-    """One recorded run of a program: what it published, received, and called, and how its process ran and ended.
+    """One recorded run of a program: its messages, calls, and services, and the record of its process.
 
-    `watched_s`: how long (s) the watch lasted: in simulated time, or in real time if the watch used the wall clock.
-    `wall_s`: how long (s) the watch took in real time. `stretches`: the intervals of simulated time, in order.
+    `watched_s`: the duration of the watch (s) in simulated time, or in real time if the watch used the wall clock.
+    `wall_s`: its duration (s) in real time. `stretches`: the intervals with different speeds of simulated time, in
+    order.
 
-    `findings`: the type checker's messages; None if it didn't run. `wanted`: the topics and services that a correct
-    program uses, so that none of them is mistaken for a misspelling of another. `following`: for each topic, True if
-    its messages provably follow the simulated clock, and False if they provably don't. Topics for which neither is
-    proved are absent. `in_lockstep`: whether the program was at rest before each step of the simulated clock, so that a
-    slow machine couldn't delay its messages. `own_clock`: nodes that subscribed to /clock on their own, before the
-    judge switched the program to simulated time.
+    `findings`: the type checker's messages, or None if it didn't run. `wanted`: the topics and services that a correct
+    program uses. The list is stored so that none of them is mistaken for a misspelling of another. `following`: for
+    each topic, True if its messages provably follow the simulated clock, and False if they provably don't. Topics for
+    which neither has been proved are absent. `in_lockstep`: whether the program was at rest before each step of the
+    simulated clock, so that a slow machine couldn't delay its messages. `own_clock`: nodes that subscribed to /clock on
+    their own, before the judge switched the program to simulated time.
 
     `held_up_s`: for a watch on the wall clock, the longest time (s) that the judge itself had to wait for a processor.
-    `stood_still_s`: the longest time (s) that one of this virtual machine's processors was unavailable because of the
-    host. `taken_s`: the total time (s) that processors were unavailable because of the host, averaged over the
-    processors. `in_line_s`: the total time (s) that the program was ready to run but had to wait for a processor.
+    If the judge runs in a virtual machine, its host can withhold processors: `stood_still_s` is the longest time (s)
+    that one of them was withheld, and `taken_s` is the total time (s), averaged over the processors. `in_line_s`: the
+    total time (s) that the program was ready to run but had to wait for a processor.
 
-    `seed`: the script's seed; None if the script is the same in each run. `unpublished`: the script's messages that
+    `seed`: the script's seed, or None if the script is the same in each run. `unpublished`: the script's messages that
     were still unpublished when the watch ended. Their `t` and `wall` are the times at which they were due. `spins`: the
-    calls that spin a node, as found in the program's source. `repeated_init`: the number of a line (the first line is
-    1) that calls rclpy.init() in a loop; 0 if there is none.
+    calls in the program's source that spin a node. `repeated_init`: the number (from 1) of a line that calls
+    rclpy.init() in a loop, or 0 if there is none.
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)
@@ -298,7 +303,7 @@ class Recording:
         return tuple(self.topics[name] for name in sorted(self.topics) if self.topics[name].publishers)
 
     def to_json(self) -> dict[str, Any]:
-        """Convert the recording to plain data for `json`. NaN and infinite numbers are stored as text."""
+        """Convert the recording to plain data for `json`. NaN and infinite numbers are stored as strings."""
         data: dict[str, Any] = encode(self)
         return data
 
@@ -308,9 +313,9 @@ class Recording:
 
     @classmethod
     def from_json(cls, data: object) -> "Recording":
-        """Rebuild a recording from the data of `to_json`.
+        """Rebuild a recording from data that `to_json` returned.
 
-        Raise ValueError if the data isn't a recording, or has a different format.
+        Raise ValueError if the data isn't a recording or has a different format.
         """
         if not isinstance(data, dict) or data.get("format") != FORMAT:
             found = (

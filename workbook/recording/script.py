@@ -1,7 +1,7 @@
 """Define the judge's script for a watched program: messages to publish, services to offer, and services to call.
 
-A script is plain data, so a criteria file can refer to the script's parts when it judges. The script's times are
-simulated time (s) since the watch began.
+A script is plain data, so an exercise's criteria can refer to its parts. The script's times are simulated times (s)
+since the watch began. (In a watch, the judge runs a program and records its effects.)
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ BEFORE_START = -1.0
 
 @dataclass(frozen=True)
 class Line:
-    """One message or request of a script: when it's due (s, or `BEFORE_START`), and its fields."""
+    """One message or request of a script: the time `at` which it's due (s, or `BEFORE_START`), and its fields."""
 
     at: float
     value: Mapping[str, Any]
@@ -27,8 +27,9 @@ class Line:
 class Publishes:
     """Messages that the judge publishes on a topic.
 
-    `qos`: "latched" means reliable, and the last message is kept for late joiners. `deadline`: the deadline (s) that
-    the publisher offers, or None. `awaited`: whether the watch begins only after the program has subscribed.
+    `qos`: "latched" means that the publisher is reliable and keeps the latest message for late joiners. `deadline`: the
+    deadline (s) that the publisher offers, or None. `awaited`: whether the watch begins only after the program has
+    subscribed.
     """
 
     topic: str
@@ -42,7 +43,7 @@ class Publishes:
 
 @dataclass(frozen=True)
 class Reply:
-    """The response to one call: its fields, and its delay `after` (s). If that's None, the judge never responds."""
+    """The response to one call: its fields, and its delay `after` (s), or None if the judge never responds."""
 
     value: Mapping[str, Any]
     after: float | None = 0.0
@@ -50,7 +51,10 @@ class Reply:
 
 @dataclass(frozen=True)
 class Serves:
-    """A service that the judge offers. Each call gets the next reply, and the last reply repeats."""
+    """A service that the judge offers.
+
+    Each call gets the next reply. After the last reply, every call gets that one.
+    """
 
     service: str
     type: str
@@ -80,7 +84,7 @@ class Script:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The topics and services that a correct program uses. Topics that it should leave alone aren't among them."""
+        """The topics and services that a correct program uses. Topics that it shouldn't use are left out."""
         publish = [part.topic for part in self.parts if isinstance(part, Publishes) and part.awaited]
         return *publish, *(part.service for part in self.parts if not isinstance(part, Publishes))
 
@@ -97,9 +101,12 @@ def publish(
     deadline: float | None = None,
     awaited: bool = True,
 ) -> Publishes:
-    """Define messages for `topic` as pairs of a time (s) and a value: the fields, or only the value of `data`.
+    """Define messages for `topic`.
 
-    The watch begins when the program subscribes to `topic`. For a topic that the program should leave alone, pass
+    `lines` are pairs of a time (s) and a value: a mapping of the message's fields, or only the value of its field
+    `data`.
+
+    The watch begins when the program subscribes to `topic`. For a topic that the program shouldn't use, pass
     `awaited=False`, so that the watch doesn't wait for a subscription.
 
     A subscription that requests a deadline matches only a publisher that offers the same deadline or a shorter one. For
@@ -115,8 +122,8 @@ def serves(
 ) -> Serves:
     """Define a service for the program to call.
 
-    `replies` are pairs of a response's fields and its delay (s). If the delay is None, the judge never responds.
-    Raise ValueError if there are no replies.
+    `replies` are pairs of a response's fields and its delay (s), which is None if the judge never responds. Raise
+    ValueError if there are no replies.
     """
     if not replies:
         raise ValueError(f"{service} needs at least one reply")
@@ -124,14 +131,14 @@ def serves(
 
 
 def calls(service: str, service_class: Any, lines: Sequence[tuple[float, Mapping[str, Any]]]) -> Calls:
-    """Define calls to one of the program's services as pairs of a time (s) and the request's fields."""
+    """Define calls to one of the program's services. `lines` are pairs of a time (s) and the request's fields."""
     return Calls(service, type_name(service_class), _lines(lines))
 
 
 def _lines(pairs: Sequence[tuple[float, Any]]) -> tuple[Line, ...]:
     """Return the lines sorted by time, with each time rounded to microseconds.
 
-    Without that, a float's rounding error could delay a line by one clock step.
+    Without the rounding, a float's rounding error could delay a line by one clock step.
     """
     lines = [
         Line(round(at, 6), value if isinstance(value, Mapping) else {"data": value}) for at, value in pairs

@@ -8,12 +8,15 @@ from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 Converter = Callable[[Any], Any]
 
 ALWAYS_STORED: Mapping[str, Any] = {"always stored": True}
-"""Metadata of a field that stored data must contain, although constructor calls may omit it."""
+"""Metadata of a field that has a default for constructor calls, but that stored data must contain."""
 NOT_STORED: Mapping[str, Any] = {"not stored": True}
 STORED_IF_SET: Mapping[str, Any] = {"stored if set": True}
-"""Metadata of a field that is left out of the data if it's empty, as it nearly always is."""
+"""Metadata of a field that is left out of the data if it's empty. It's for fields that nearly always are."""
 UNKNOWN_FIELDS: Mapping[str, Any] = {"unknown fields": True}
-"""Metadata of a mapping that keeps unknown fields, so that data from a newer version isn't lost when it's rewritten."""
+"""Metadata of a mapping that keeps unknown fields.
+
+So when data from a newer version is read and written again, those fields aren't lost.
+"""
 
 _LONGEST_QUOTATION = 60
 
@@ -24,7 +27,10 @@ def stored_as(name: str) -> Mapping[str, Any]:
 
 
 class Malformed(ValueError):
-    """Data that doesn't fit its type. `path` is a place such as `criteria[2].points`; `problem` describes the error."""
+    """Raised when data doesn't fit its type.
+
+    `path`: the place of the error, such as `criteria[2].points`. `problem`: a description of the error.
+    """
 
     def __init__(self, problem: str, path: str = "") -> None:
         self.problem = problem
@@ -32,23 +38,23 @@ class Malformed(ValueError):
         super().__init__(f"{self.path}: {problem}" if self.path else problem)
 
     def below(self, step: str) -> "Malformed":
-        """Return this error with `step` in front of its path."""
+        """Return a copy of this error with `step` in front of its path."""
         path = self.path if not self.path or self.path.startswith("[") else f".{self.path}"
         return Malformed(self.problem, f"{step}{path}")
 
 
 def quoted(data: object) -> str:
-    """Format data as ASCII text for an error message, cut if it's long."""
+    """Format data as an ASCII string for an error message. A long string is cut."""
     text = ascii(data)
     return text if len(text) <= _LONGEST_QUOTATION else f"{text[: _LONGEST_QUOTATION - 4]} ..."
 
 
 class StoredField(NamedTuple):
-    """How a dataclass field is stored.
+    """The rules for storing a dataclass field.
 
-    `key`: its name in JSON. `as_is`: types whose values need no conversion; `convert` handles all others. `is_float`:
-    whether the field is a float. `default`: a function that creates the value of a missing field; None if the field is
-    required.
+    `key`: its name in JSON. `as_is`: types whose values don't need a conversion. `convert`: a function that converts
+    all other values. `is_float`: whether the field is a float. `default`: a function that creates the value if the
+    field is missing, or None if the field is required.
     """
 
     name: str
@@ -84,7 +90,9 @@ def _default_of(one: Field[Any]) -> Callable[[], Any] | None:
 
 
 def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
-    """Return each field that isn't stored, and the field for unknown fields, with a function that creates its default.
+    """Return the fields that aren't stored, each with a function that creates its default.
+
+    The field for unknown fields is one of them.
 
     Raise TypeError if such a field has no default.
     """
@@ -99,19 +107,19 @@ def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
 
 
 def keys_stored_if_set(kind: type) -> list[str]:
-    """Return the keys of fields that are left out if they're empty."""
+    """Return the JSON names of the fields that are left out if they're empty."""
     return [
         one.metadata.get("stored as", one.name) for one in fields(kind) if "stored if set" in one.metadata
     ]
 
 
 def name_of_unknown(kind: type) -> str | None:
-    """Return the name of the field that collects unknown fields; None if the class has none."""
+    """Return the name of the field that collects unknown fields, or None if the class has no such field."""
     return next((one.name for one in fields(kind) if "unknown fields" in one.metadata), None)
 
 
 def _as_is(hint: Any) -> frozenset[type]:
-    """Return the types, among those that a hint allows, whose values need no conversion."""
+    """Return those of the types allowed by a hint whose values don't need a conversion."""
     if hint in (int, bool, types.NoneType):
         return frozenset([hint])
     if get_origin(hint) in (Union, types.UnionType):
