@@ -1,5 +1,7 @@
-"""Check an answer, and probes that use it, with mypy in a separate process that the answer can't influence.
+"""Type-check an answer with mypy in a separate process that the answer can't influence.
 
-Import `type_check`, `MypyOptions`, and `TypeCheckFailed` from `typecheck`. Before many checks, also call its
-`warm_cache`.
+Together with the answer, mypy can check *probes*, which are short programs that use the answer.
+
+Import `type_check`, `MypyOptions`, and `TypeCheckFailed` from `typecheck`. Before many checks, also call `warm_cache`
+from that module.
 """

@@ -1,4 +1,4 @@
-"""Run mypy in a process that keeps it loaded. `inside/mypy_server.py` runs in that process."""
+"""Run mypy in a server process that keeps mypy loaded. The server's code is in `inside/mypy_server.py`."""
 
 import atexit
 import json
@@ -22,7 +22,8 @@ STATUS_BYTES = 100
 class MypyRun:
     """A run of mypy: its arguments, folder, environment, and limits.
 
-    `processor_s` limits the CPU time and `patience_s` the real time, in seconds. `memory` is in bytes.
+    `processor_s` is the limit on CPU time and `patience_s` the limit on real time, both in seconds. `memory` is in
+    bytes.
     """
 
     arguments: Sequence[str]
@@ -46,7 +47,7 @@ class MypyRun:
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of a mypy run: its exit code, stdout, and stderr. A negative code is the signal that ended it."""
+    """The result of a mypy run: its exit code, stdout, and stderr. A code -n means that signal n killed mypy."""
 
     code: int
     said: str
@@ -54,10 +55,10 @@ class Outcome:
 
 
 class MypyServer:
-    """A process that keeps mypy loaded. Loading accounts for two thirds of the time of a run over a short program.
+    """A process that keeps mypy loaded, because loading takes two thirds of the time for checking a short program.
 
-    The process starts with the first run, and ends with the process that started it. Ctrl-C during a run ends it, too;
-    the next run then starts another one.
+    The process starts with the first run and exits when the process that started it does. Ctrl-C during a run stops the
+    server process, too. The next run then starts a new one.
     """
 
     def __init__(self) -> None:
@@ -68,7 +69,7 @@ class MypyServer:
 
     @property
     def pid(self) -> int | None:
-        """The process ID; None if no process is running."""
+        """The server's process ID, or None if the server isn't running."""
         return None if self._process is None else self._process.pid
 
     def run(self, run: MypyRun) -> Outcome:
@@ -77,7 +78,7 @@ class MypyServer:
             descriptors = [said.fileno(), complaint.fileno()]
             told = self._ask(run, descriptors) or self._ask(
                 run, descriptors
-            )  # the server may have ended since the last run
+            )  # the server may have exited since the last run
             if not told:
                 raise OSError("the process that runs mypy ends right away")
             texts = []
@@ -87,7 +88,7 @@ class MypyServer:
         return Outcome(os.waitstatus_to_exitcode(int(told)), *texts)
 
     def _ask(self, run: MypyRun, descriptors: Sequence[int]) -> bytes:
-        """Send a request, and return the exit status that the server sends back; empty if the server has ended."""
+        """Send a request, and return the exit status that the server sends back, or b"" if the server has exited."""
         try:
             channel = self._open(run.environ)
             channel.settimeout(run.patience_s)
@@ -103,7 +104,7 @@ class MypyServer:
         return told
 
     def _open(self, environ: Mapping[str, str]) -> socket.socket:
-        if self._channel is not None and self._owner == os.getpid():  # a forked child must not use it
+        if self._channel is not None and self._owner == os.getpid():  # not in a forked child
             return self._channel
         self._process, ours = start_helper(SERVER, environ, quiet=True)
         if self._owner != os.getpid():
@@ -112,14 +113,14 @@ class MypyServer:
         return ours
 
     def close(self) -> None:
-        """End the process, if one is running. The next run starts another one."""
+        """Stop the server if it's running. The next run starts a new one."""
         with self._turn:
             if self._owner == os.getpid():
                 self._close()
 
     def _close(self) -> None:
         if self._channel is not None:
-            self._channel.close()  # this also ends a run in progress
+            self._channel.close()  # the server then exits, and stops a run in progress
             self._channel = None
         if self._process is not None:
             self._process.wait()

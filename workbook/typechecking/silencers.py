@@ -1,4 +1,4 @@
-"""Find the parts of a program that mypy can't check: comments that silence it, and code that it's told to skip."""
+"""Find what keeps mypy from checking a program: comments that silence mypy, and code that makes it skip code."""
 
 import ast
 import io
@@ -13,16 +13,19 @@ _IGNORE = re.compile(
 )  # mypy honors it only at the beginning of a comment and ignores it elsewhere
 _INLINE = re.compile(r"^# mypy: .*$", re.MULTILINE)
 _HIDING = ("TYPE_CHECKING", "MYPY", "PY2", "PY3")
-"""Names that mypy always assumes to be true or false (`infer_condition_value` in mypy/reachability.py)."""
+"""Names that mypy always assumes to be true or to be false (`infer_condition_value` in mypy/reachability.py)."""
 _ABOUT_THE_MACHINE = ("platform", "version_info")
-"""The attributes of `sys` that mypy treats as constant, even if the program changes them."""
+"""The attributes of `sys` that mypy assumes to be constant, even if the program changes them."""
 _WHAT_HIDES = "code that runs although mypy is told to skip it"
 _FOR_CHECKERS = (
     *(ast.Import, ast.ImportFrom, ast.Pass, ast.Assign, ast.AnnAssign),
     *(ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef),
     getattr(ast, "TypeAlias", ast.Pass),  # since Python 3.12
 )
-"""Statements allowed in code for type checkers only. Others, such as `return`, make mypy skip the code after them."""
+"""The statements that are allowed in code for type checkers only.
+
+Others, such as `return`, would make mypy skip the code after them.
+"""
 
 
 def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
@@ -35,7 +38,7 @@ def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
 
 
 def without_silencers(program: str) -> str:
-    """Remove all comments that would silence mypy. Lines keep their numbers."""
+    """Remove all comments that would silence mypy. The line numbers don't change."""
     lines = program.splitlines(keepends=True)
     for token in _comments(program):
         if _IGNORE.match(token.string):
@@ -48,7 +51,7 @@ def without_silencers(program: str) -> str:
 def evasions(program: str) -> Iterator[Finding]:
     """Yield a finding for each place that keeps mypy from checking the program.
 
-    The findings have the codes "silenced" and "unchecked".
+    A finding's code is "silenced" for a comment that silences mypy, and "unchecked" for code that mypy skips.
     """
     for token in _comments(program):
         if _IGNORE.match(token.string):
@@ -64,7 +67,7 @@ def evasions(program: str) -> Iterator[Finding]:
         return  # mypy will report that it cannot read the file
     explained: set[ast.AST] = set()
     systems = _names_of_sys(tree)
-    for node in ast.walk(tree):  # an `if` is visited before its parts
+    for node in ast.walk(tree):  # visits an `if` before its parts
         if _is_another_sys(node) or _misjudged(node):
             yield Finding("", getattr(node, "lineno", 1), UNCHECKED, _WHAT_HIDES)
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
@@ -95,7 +98,7 @@ def _names_of_sys(tree: ast.Module) -> frozenset[str]:
 def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
     """Return whether a node outside of an `if TYPE_CHECKING:` test makes mypy skip code.
 
-    Such a node reads a name in `_HIDING`, or changes an attribute of `sys` that mypy treats as constant.
+    Such a node reads a name in `_HIDING` or changes an attribute of `sys` that mypy assumes to be constant.
     """
     if isinstance(node.ctx, ast.Load):
         return _last_name(node) in _HIDING
@@ -108,17 +111,17 @@ def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
 
 
 def _asks_for_checkers(test: ast.expr) -> bool:
-    """Return whether the test is only a name such as `TYPE_CHECKING`, or `not` with such a name."""
+    """Return whether the test consists only of a name such as `TYPE_CHECKING`, or of `not` and such a name."""
     if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
         test = test.operand
     return _last_name(test) in _HIDING
 
 
 def _hidden_code(node: ast.If) -> ast.stmt | None:
-    """Return the first statement of an `if TYPE_CHECKING:` that hides code from mypy; None if there is none.
+    """Return the first statement of an `if TYPE_CHECKING:` that hides code from mypy, or None if there is none.
 
-    mypy must not skip any statement that runs, except for imports. And in the code that doesn't run, no statement may
-    make mypy skip the code after it.
+    The branch that runs may contain only imports and `pass`, because mypy skips it. In the branch that doesn't run, no
+    statement may make mypy skip the code after it.
     """
     turned = isinstance(node.test, ast.UnaryOp) or _last_name(node.test) == "PY2"
     runs, skipped = (node.body, node.orelse) if turned else (node.orelse, node.body)

@@ -1,7 +1,7 @@
 """Type-check a program without running it.
 
-mypy runs in a separate process with a time limit and only the judge's settings. A program can't change them: comments
-that silence mypy are removed and reported, and code that mypy would skip is reported, too.
+mypy runs in a separate process with a time limit and only the judge's settings. A program can't change those settings:
+comments that silence mypy are removed and reported, and code that mypy would skip is reported, too.
 """
 
 import hashlib
@@ -25,15 +25,15 @@ from workbook.typechecking.silencers import evasions, without_silencers
 
 TYPINGS = Path(__file__).resolve().parents[1] / "typings"
 SETTINGS = TYPINGS / "mypy.ini"
-# BARE is for checks without our stubs: mypy then reads the installed rclpy and the installed messages
+# BARE is for checks without our stubs, in which mypy reads the installed rclpy and the installed messages
 OURS = (f"--config-file={SETTINGS}",)
 BARE = ("--config-file=", "--disable-error-code=import-untyped")
 PROGRAM = "answer"
 NOTE = "note"
-PROCESSOR_S = 30  # CPU time, because on a busy machine, mypy may get two seconds of it in a minute
+PROCESSOR_S = 30  # CPU time, because on a busy machine, mypy may get only two seconds of it per minute
 PATIENCE_S = 300.0
 MEMORY_BYTES = 2_500_000_000
-# Modules that most programs import and that mypy takes long to read.
+# Modules that many programs import and that mypy takes long to read.
 COMMON = (
     *(
         "asyncio",
@@ -60,15 +60,15 @@ _cache: Path | None = None
 
 
 class TypeCheckFailed(RuntimeError):
-    """mypy itself failed, through no fault of the program. The message says why."""
+    """Raised when mypy itself failed and the program isn't to blame. The message says why."""
 
 
 @dataclass(frozen=True)
 class MypyOptions:
-    """Options for running mypy.
+    """The options for running mypy.
 
-    `stubs` says whether to use the course's stubs, and `notes` whether mypy's notes count as findings. `processor_s`
-    limits the CPU time, in seconds.
+    `stubs`: whether to use the course's stubs. `notes`: whether mypy's notes count as findings. `processor_s`: the
+    limit on CPU time, in seconds.
     """
 
     arguments: Sequence[str] = OURS
@@ -88,10 +88,11 @@ DEFAULT = MypyOptions()
 def type_check(
     program: str, probes: Mapping[str, str] | None = None, options: MypyOptions = DEFAULT
 ) -> tuple[Finding, ...]:
-    """Return the findings on `program`, sorted by line, and then those on each of the `probes`.
+    """Return the findings about `program`, and then those about each of the `probes`.
 
-    Probes are short programs that import the program as `answer`. mypy's notes, such as the output of `reveal_type`,
-    have the code "note". Raise TypeCheckFailed if mypy isn't installed, or if it fails through no fault of the program.
+    Code that keeps mypy from checking the program comes first (see `evasions`). Each part is sorted by line. Probes are
+    short programs that import the program as `answer`. mypy's notes, such as the output of `reveal_type`, have the code
+    "note". Raise TypeCheckFailed if mypy isn't installed, or if it fails and the program isn't to blame.
     """
     if find_spec("mypy") is None:
         raise TypeCheckFailed(_NOT_INSTALLED)
@@ -118,7 +119,7 @@ def _write(file: Path, text: str) -> None:
     """Write a module with a random modification time.
 
     mypy assumes that a file is unchanged if its size and its modification time (in whole seconds) are the same as
-    before (`validate_meta` in mypy/build.py). Two people's programs could easily have the same size and time.
+    before (`validate_meta` in mypy/build.py). Two students' programs could easily have the same size and time.
     """
     file.write_text(text, encoding="utf-8")
     moment_s = secrets.randbelow(2**31)
@@ -128,7 +129,7 @@ def _write(file: Path, text: str) -> None:
 def _run_mypy(
     folder: Path, files: Sequence[str], cache: Path, options: MypyOptions
 ) -> list[tuple[str, int, str, str]]:
-    """Run mypy on files in a folder, and return each finding's module, line, code, and message."""
+    """Run mypy on files in a folder. Return each finding's module, line, code, and message."""
     arguments = [
         *options.arguments, "--output=json", "--no-error-summary", "--show-error-codes", "--explicit-package-bases",
         f"--cache-dir={cache}", *files,
@@ -175,8 +176,8 @@ def _read(said: str, notes: bool) -> Iterator[tuple[str, int, str, str]]:
 def _own_cache(options: MypyOptions) -> Path:
     """Return this process's mypy cache for these options, created as a copy of the environment's cache.
 
-    No other process writes to the copy, because mypy's conclusions from one person's program must not affect the check
-    of another person's program.
+    Other processes don't write to the copy, because mypy's conclusions from one student's program must not affect the
+    check of another student's program.
     """
     global _cache
     if _cache is None or not _cache.is_dir():
@@ -192,10 +193,11 @@ def _own_cache(options: MypyOptions) -> Path:
 
 
 def warm_cache(options: MypyOptions = DEFAULT) -> None:
-    """Fill the environment's mypy cache for these options. Do nothing if the cache exists or can't be written.
+    """Fill the environment's mypy cache for these options. Do nothing if it exists or can't be written.
 
-    Call this function before you start processes that can't write to the environment. Otherwise, each of them fills a
-    separate cache. Raise TypeCheckFailed if mypy isn't installed or fails.
+    The environment is the virtual environment in which mypy is installed. Call this function before you start processes
+    that can't write to it. Otherwise, each of them fills its own cache. Raise TypeCheckFailed if mypy isn't installed
+    or fails.
     """
     if find_spec("mypy") is None:
         raise TypeCheckFailed(_NOT_INSTALLED)
@@ -227,13 +229,13 @@ def _fill_cache(kept: Path, options: MypyOptions) -> None:
         (folder / "common.py").write_text("".join(f"import {name}\n" for name in COMMON), encoding="utf-8")
         cache = folder / "cache"
         if _run_mypy(folder, ["common.py"], cache, replace(options, notes=False, processor_s=PROCESSOR_S)):
-            return  # mypy will report the same for the program itself, if it matters there
+            return  # mypy will report the same problems for a program that they affect
         kept.parent.mkdir(parents=True, exist_ok=True)
         whole = kept.with_name(f"{folder.name}.part")
         shutil.copytree(cache, whole)
         try:
             whole.rename(kept)
-        except OSError:  # another process was faster
+        except OSError:  # another process has already created it
             shutil.rmtree(whole, ignore_errors=True)
         for outdated in kept.parents[1].iterdir():
             if outdated != kept.parent:
