@@ -1,5 +1,5 @@
-"""Define the `workbook` command: each module here with a `register` function adds its subcommands.
+"""Define the `workbook` command. Each module here that has a `register` function adds its subcommands.
 
-This package is an entry point, so no module outside imports it. To keep `workbook --help` fast, its modules import
-other packages only when a subcommand runs.
+This package is an entry point, so modules outside of it don't import it. To keep `workbook --help` fast, the modules
+here import slow modules only when a subcommand runs.
 """

@@ -56,7 +56,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run_gradescope(options: argparse.Namespace) -> int:
-    """Judge a submission for Gradescope. Write results.json even if the judge fails. Return the exit code."""
+    """Judge a submission for Gradescope, and return the exit code. Write results.json even if the judge fails."""
     from workbook.exercise.definition import load_exercise
     from workbook.grading.files import write_whole
     from workbook.grading.gradescope import fault_json, grade_submission
@@ -64,7 +64,7 @@ def run_gradescope(options: argparse.Namespace) -> int:
     try:
         exercise = load_exercise(options.exercise)
         result = grade_submission(exercise, options.submission, options.results, options.isolation)
-    except Exception as error:  # any exception here is our fault and must not cost points
+    except Exception as error:  # any exception here is our fault, so it must not cost the student points
         print(printable(f"workbook autograde: {type(error).__name__}: {error}"), file=sys.stderr)
         write_whole(options.results, fault_json(f"{type(error).__name__}: {error}"))
         return FAULT
@@ -73,17 +73,17 @@ def run_gradescope(options: argparse.Namespace) -> int:
 
 
 def _line(result: "Result") -> str:
-    """Return a result as one printable line.
+    """Return a result as one line of printable characters.
 
-    Line breaks are removed, because students choose file names, and a log line that begins with `::` is a GitHub
-    command.
+    Students choose file names, and GitHub runs a log line that begins with `::` as a command. So line breaks must not
+    get into the log.
     """
     said = result.reason if result.score is None else f"{result.score:g} of {result.max_score:g} points"
     return printable(f"{result.exercise}: {result.status}, {said}. Isolation: {result.isolation}.")
 
 
 def run_github(options: argparse.Namespace) -> int:
-    """Judge all exercises. Write the run's summary, the results, and the outputs for GitHub Classroom's reporter.
+    """Judge all exercises in a class repository. Write the summary, the results, and the outputs for GitHub Classroom.
 
     Return the exit code.
     """
@@ -118,7 +118,7 @@ def _append(path: Path | None, text: str) -> None:
 
 
 def _outputs(pushed: "Sequence[Pushed]", out: Path) -> str:
-    """Store the results under `out`, and return those for Classroom as lines of the form name=value."""
+    """Store the results under `out`, and return GitHub Classroom's results as lines of the form name=value."""
     from workbook.grading.files import write_whole
     from workbook.grading.github import classroom, encoded
     from workbook.grading.results_file import RESULTS, ResultsFile

@@ -57,7 +57,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Judge the answer, and return the exit code.
 
-    Start the answer before importing the judge, so that both load in parallel.
+    The answer starts before the judge is imported, so that both load in parallel.
     """
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.exercise.course import NoCourse, course_folder
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
 def _file(options: argparse.Namespace, source: "ExerciseSource") -> Path:
     """Return the path of the answer to judge.
 
-    With --watch, create a missing answer from the starter. Otherwise, raise Ungradable if it doesn't exist.
+    If there is no answer yet, create it from the starter with --watch, and raise Ungradable otherwise.
     """
     from workbook.exercise.answer_files import save_answer
     from workbook.exercise.answers import Ungradable
@@ -115,14 +115,14 @@ def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) ->
 
 
 def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:
-    """Store the outcome in the student's progress, as `%check` does.
+    """Store the judgment in the student's progress, as `%check` does.
 
     Do nothing if the file isn't in the student's answers folder.
     """
     from workbook.lesson.best_answers import Check
 
     if file.resolve().parent == student_answers().resolve():
-        with suppress(OSError):  # a full disk should cost only the note, not the verdict
+        with suppress(OSError):  # on a full disk, the student should still see the verdict
             Check(judgement.stem, answer.text).note(judgement)
 
 
@@ -134,7 +134,10 @@ def _not_judged(error: Exception) -> int:
 def _judge(
     options: argparse.Namespace, stem: str, file: Path, answer: "Answer", started: "StartedAnswer"
 ) -> int:
-    """Judge an answer that is already running. Modules that need ROS are imported here while the answer starts."""
+    """Judge an answer that has already been started, and return the exit code.
+
+    Modules that need ROS are imported here, while the answer is loading.
+    """
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
@@ -159,7 +162,10 @@ def _judge(
 def _judgement_of(
     exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, soak: bool, seed: int | None
 ) -> "Judgement":
-    """Judge the started program. If the result is inconclusive, start the program again for another try."""
+    """Judge the program that has been started.
+
+    If the judgment is inconclusive, start the program again for another try.
+    """
     from workbook.exercise.judging import Judge
     from workbook.exercise.retries import until_sure
     from workbook.watching.observer import Observer
@@ -182,7 +188,7 @@ def _judgement_of(
 
 
 def _report(judgement: "Judgement") -> None:
-    """Print what happens next, after a provisional or inconclusive judgment."""
+    """Print the judge's next step after a provisional or inconclusive judgment."""
     from workbook.feedback import wording
 
     if judgement.inconclusive_reason:

@@ -1,7 +1,7 @@
 """`workbook completion`: print a script that makes a shell complete commands, options, exercises, and topics on Tab.
 
-The script comes from argcomplete. When the user presses Tab, it calls `workbook`, and `answer_tab` writes the
-completions. So the script stays valid when a command changes.
+The script comes from argcomplete. When the user presses Tab, the script calls `workbook`, and `answer_tab` writes the
+completions. So the script doesn't have to change when a command does.
 """
 
 import argparse
@@ -42,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def answer_tab(build_parser: Callable[[], CommandParser]) -> None:
-    """Write the completions and exit the process if a shell's Tab key caused this call; otherwise, do nothing."""
+    """If a completion script called `workbook`, write the completions and exit. Otherwise, do nothing."""
     if "_ARGCOMPLETE" not in os.environ:
         return
     import argcomplete
@@ -74,7 +74,10 @@ def _exercises(**_: object) -> tuple[str, ...]:
 
 
 def _topics(**_: object) -> tuple[str, ...]:
-    """Return the topics of all exercises, except those that only the judge's drivers use."""
+    """Return the topics of all exercises, except those that only the judge's drivers use.
+
+    A driver is a program that imports an answer and calls its functions.
+    """
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.recording.script import Publishes
 
@@ -82,7 +85,7 @@ def _topics(**_: object) -> tuple[str, ...]:
     for stem in _exercises():
         try:
             plan = load_exercise(stem).plan
-        except BrokenCriteria:  # completion can do without them
+        except BrokenCriteria:  # completion works without this exercise's topics
             continue
         topics.update(plan.topics)
         topics.update(part.topic for part in plan.script.parts if isinstance(part, Publishes))

@@ -33,7 +33,7 @@ def register(subparsers: Any) -> None:
 
 
 def line(finding: "HealthFinding", stream: TextIO) -> str:
-    """Return a finding as text: a sign, its status, its title, the observation, and the next step on a new line.
+    """Format a finding: a sign, its status, its title, the observation, and, on a new line, the next step.
 
     Color the status on a terminal. Use ASCII signs if the stream's encoding lacks ✓ and ✗.
     """
@@ -57,7 +57,7 @@ def _in_column(text: str) -> str:
 
 
 def report() -> str:
-    """Return the versions and findings as plain text without personal names, so that users can publish it."""
+    """Return the versions and findings as plain text without personal names, so that users can publish the report."""
     from workbook.cli.report import doctor_lines
     from workbook.exercise.course import is_from_wheel
     from workbook.grading.new_results import versions
@@ -70,7 +70,7 @@ def report() -> str:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print each finding right away, then a summary. Return the exit code: 1 if something must be fixed, else 0."""
+    """Print each finding right away, and then a summary. Return the exit code: 1 if something must be fixed, else 0."""
     from workbook.exercise.course import is_from_wheel
     from workbook.lab.health import examine
 

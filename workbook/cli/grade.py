@@ -62,9 +62,9 @@ def _exercise_name(options: argparse.Namespace) -> str:
 
 
 def _isolation(wanted: str) -> "Isolation":
-    """Return the isolation tier that `wanted` names; "auto" means the sandbox, never a weaker tier.
+    """Return the isolation tier named `wanted`, which says how programs are isolated. "auto" means the sandbox.
 
-    Raises NoSandbox if that tier doesn't work on this machine.
+    Raises NoSandbox if that tier doesn't work on this machine. A weaker tier is never chosen automatically.
     """
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
     from workbook.isolation.bubblewrap import NoSandbox
@@ -84,7 +84,10 @@ def _isolation(wanted: str) -> "Isolation":
 
 
 def run(options: argparse.Namespace) -> int:
-    """Grade or regrade. Return the exit code: 2 if an option, the course, or the sandbox can't be used."""
+    """Carry out `workbook grade`, and return the exit code.
+
+    The exit code is 2 if, for example, an option is wrong or the isolation tier doesn't work.
+    """
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import OWN_CRITERIA, BrokenCriteria, load_exercise, own_criteria
@@ -129,7 +132,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
-    """Check the paths and options. Raises BadOption if there is nothing to grade, or an option would have no effect."""
+    """Check the paths and options.
+
+    Raises BadOption if there is nothing to grade or if an option would have no effect.
+    """
     from workbook.grading.roster import BadOption
 
     for first, second in (
@@ -157,9 +163,10 @@ def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
 def _judges(
     options: argparse.Namespace, exercise: "Exercise", screen: GradeScreen
 ) -> "AbstractContextManager[GradingBackend]":
-    """Return the backend, which is local slots or a farm, and print which one is used.
+    """Return the grading backend, and print which one it is.
 
-    Raises BadOption, NoSandbox, or NoJudges.
+    The backend consists either of local slots, which are processes that judge answers, or of a farm of several
+    machines. Raises BadOption, NoSandbox, or NoJudges.
     """
     from workbook.grading.roster import BadOption
     from workbook.grading.slots.scheduler import LocalSlots
@@ -181,7 +188,7 @@ def _judges(
 def _farm(
     options: argparse.Namespace, stem: str, screen: GradeScreen
 ) -> "AbstractContextManager[GradingBackend]":
-    """Connect to a farm, and print its size. Don't check the isolation here: only the workers run answers."""
+    """Connect to a farm, and print its size. The isolation isn't checked here, because only the workers run answers."""
     from workbook.grading.farm import Farm
     from workbook.grading.farm_connection import check_address
     from workbook.grading.roster import BadOption
@@ -257,7 +264,7 @@ def _regrade(
     books: "GradebookOptions",
     lines: "Sequence[OverrideLine]",
 ) -> int:
-    """Judge stored recordings again, and print whose marks changed. This needs no ROS. Return the exit code."""
+    """Judge stored recordings again, and print whose marks changed. Return the exit code. This doesn't need ROS."""
     from workbook.grading.gradebook import write_gradebook
     from workbook.grading.regrade import regrade
     from workbook.grading.results_file import RESULTS, last_results
@@ -280,7 +287,7 @@ def _regrade(
 def _repeat(
     options: argparse.Namespace, exercise: "Exercise", batch: "Batch", judges: "GradingBackend"
 ) -> int:
-    """Judge all answers several times, and print those whose verdict changes. Return the exit code."""
+    """Judge all answers several times, and print the students whose verdict changes. Return the exit code."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.grading.judges import Job
     from workbook.grading.repeatability import unsteady

@@ -1,4 +1,4 @@
-"""`workbook grade --override`: store changes to marks, and report which ones apply."""
+"""`workbook grade --override`: store changes to marks, and report which changes have an effect."""
 
 import argparse
 import sys
@@ -16,9 +16,10 @@ if TYPE_CHECKING:
 
 
 def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
-    """Return the changes from the `--override` file; an empty list if the option isn't given.
+    """Return the lines of the `--override` file, or an empty list if the option isn't given.
 
-    Raises BadOption for an invalid line, in this file or among the stored changes.
+    Each line is a change to a student's marks. Raises BadOption if a line is invalid in this file or in the file of
+    stored changes.
     """
     from workbook.grading.appeals import kept, read_lines
 
@@ -27,9 +28,9 @@ def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
 
 
 def take(out: Path, lines: "Sequence[OverrideLine]", results: "Mapping[StudentAndExercise, Result]") -> int:
-    """Store the changes if all of them match the results. Otherwise, print the problem and store none.
+    """Store the changes if all of them match the results. Otherwise, print the problem and don't store any.
 
-    Return the exit code: 0 if they match, else 2. Raises FolderInUse.
+    Return the exit code: 0 if they match, else 2. Raises FolderInUse if another run is using the folder.
     """
     from workbook.grading.appeals import fit, keep
     from workbook.grading.results_file import RESULTS, ResultsFile

@@ -10,7 +10,10 @@ if TYPE_CHECKING:
     from workbook.grading.roster import Roster
 
 SLOTS_PER_CORE = {"simulated": 2, "wall": 4}
-"""How many answers run in parallel per core, keyed by clock. With "wall", they wait nine tenths of the time."""
+"""The number of answers that run in parallel per core, for each clock.
+
+On the wall clock, more answers can run, because they spend nine tenths of the time waiting.
+"""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -177,7 +180,7 @@ def _add_repetition(parser: argparse.ArgumentParser) -> None:
 
 
 def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
-    """Return the options for the gradebook and its exports. Raises BadOption."""
+    """Return the options for the gradebook and its exports. Raises BadOption if one is invalid."""
     from workbook.grading.exports import FORMATS
     from workbook.grading.gradebook import GradebookOptions
     from workbook.grading.roster import BadOption
@@ -193,7 +196,7 @@ def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
 
 
 def _lateness(options: argparse.Namespace) -> "Lateness | None":
-    """Return the late penalty; None if there is no deadline. Raises BadOption."""
+    """Return the late penalty, or None if there is no deadline. Raises BadOption if an option is invalid."""
     from workbook.grading.deadlines import FORM, parse_deadline, read_extensions, zone_named
     from workbook.grading.lateness import Lateness
     from workbook.grading.roster import BadOption
@@ -218,7 +221,7 @@ def _lateness(options: argparse.Namespace) -> "Lateness | None":
 
 
 def roster(options: argparse.Namespace) -> "Roster":
-    """Return the roster, which maps hand-ins to students. Raises BadOption."""
+    """Return the roster, which maps hand-ins to students. Raises BadOption if the file with aliases is invalid."""
     from workbook.grading.roster import Roster, read_aliases
 
     return Roster(read_aliases(options.aliases) if options.aliases else {}, options.assignment)

@@ -1,4 +1,4 @@
-"""Print the output of `workbook grade`: progress while it runs, and summaries at the end."""
+"""Print the output of `workbook grade`: its progress while it runs, and summaries at the end."""
 
 import os
 import sys
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def minutes(seconds: float) -> str:
-    """Format a duration in seconds, such as "42 s", or "4:05 min" from one minute on."""
+    """Format a duration that is given in seconds, such as "42 s", or "4:05 min" for a minute or more."""
     whole = round(seconds)
     return f"{whole // 60}:{whole % 60:02d} min" if whole >= 60 else f"{whole} s"
 
 
 def outcome(result: "Result") -> str:
-    """Return the score and the maximum, such as "8/10", or the status and the reason if the answer wasn't graded."""
+    """Return the score and the maximum score, such as "8/10", or the status and the reason if there is no score."""
     if result.status != "graded":
         return f"{result.status}: {result.reason}"
     return f"{result.score:g}/{result.max_score:g}"
@@ -34,13 +34,13 @@ def printable(text: object) -> str:
 
 
 class GradeScreen:
-    """Shows progress, on a single line in a terminal or as one line per answer in a file."""
+    """Shows the progress, in a terminal on a single line, and in a file with one line per answer."""
 
     def __init__(self) -> None:
         self._is_terminal = sys.stderr.isatty()
 
     def show(self, progress: "BatchProgress") -> None:
-        """Print how many answers are done, how many per minute, the time left, and the latest result."""
+        """Print the number of finished answers, the number per minute, the time left, and the latest result."""
         left = "" if progress.left_s is None else f", {minutes(progress.left_s)} left"
         rate = f"{progress.per_minute:.0f} per minute{left}"
         latest = ""
@@ -65,9 +65,9 @@ class GradeScreen:
 
 
 class Stopping:
-    """Handles Ctrl-C. The first one lets the judgments in progress finish.
+    """Handles Ctrl-C. After the first Ctrl-C, the run stops once the judgments in progress have finished.
 
-    The second one exits right away, but keeps the finished judgments.
+    The second Ctrl-C exits right away. Finished judgments are kept in either case, because they've already been stored.
     """
 
     def __init__(self) -> None:
@@ -91,7 +91,7 @@ def say_broken(line: "BrokenLine") -> None:
 
 
 def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> int:
-    """Print the summary of a run. Return the exit code: 130 if it was stopped, 1 if the judge failed, else 0."""
+    """Print a run's summary. Return the exit code: 130 if the run was stopped, 1 if the judge failed, else 0."""
     counts = {"graded": 0, "ungradable": 0, "infra_error": 0}
     full = 0
     for result in summary.results:
@@ -125,7 +125,7 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
 
 
 def conclude_regrading(found: "Sequence[Regraded]", exercise: str) -> int:
-    """Print whose marks changed, and whose results couldn't be judged again.
+    """Print whose marks changed and whose results couldn't be judged again.
 
     Return the exit code: 1 if a result couldn't be judged again, else 0.
     """
@@ -146,7 +146,7 @@ def _points(points: float | None) -> str:
 
 
 def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -> int:
-    """Print whose verdict changes from run to run. Return the exit code: 1 if a verdict changes, else 0."""
+    """Print whose verdict changed from run to run. Return the exit code: 1 if a verdict changed, else 0."""
     print(f"{answers} answers, each judged {times} times: {len(found)} with changing verdicts.")
     for one in found:
         print(f"  {printable(one.student)}:")
@@ -156,7 +156,7 @@ def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -
 
 
 def _about_tries(results: "Sequence[Result]") -> list[str]:
-    """Return lines with the number of answers that were tried again, and with the students whose tries differ."""
+    """Return lines about the answers that were tried again: their number, and the students whose tries differ."""
     twice = [result for result in results if result.tries]
     if not twice:
         return []
@@ -170,7 +170,7 @@ def _about_tries(results: "Sequence[Result]") -> list[str]:
 
 
 def about_lateness(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
-    """Return sentences about the deadlines, and about hand-ins whose time is missing or unreadable."""
+    """Return sentences about the deadlines and about hand-ins whose time is missing or unreadable."""
     from workbook.grading.deadlines import about_unknown, in_words
 
     if lateness is None:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
 
 SHOWN = 100
-"""The most pairs to print. If there are more, answers are similar because the task leaves no choice."""
+"""The maximum number of pairs to print. If there are more, the task itself makes the answers similar."""
 HINT = (
     "This is a hint, not a verdict. Two correct answers to a short task can look the same although both students "
     "worked alone. Read both answers, and talk to the students, before you conclude anything."
@@ -19,7 +19,7 @@ HINT = (
 
 
 def list_similar(options: argparse.Namespace, exercise: "Exercise") -> int:
-    """Print the pairs. Return the exit code, 0 even if there are pairs. Raises BadOption or NoComparison."""
+    """Print the pairs. Return the exit code, which is 0 even if there are pairs. Raises BadOption or NoComparison."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.grading.hand_ins import all_hand_ins
     from workbook.grading.roster import BadOption

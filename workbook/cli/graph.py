@@ -20,7 +20,7 @@ _LAST_DOMAIN = 232
 
 
 class NoChoice(Exception):
-    """Several notebooks are open, but there is no terminal on which to ask the user which one is meant."""
+    """Raised when several notebooks are open, but there is no terminal to ask the user which one to inspect."""
 
 
 def register(subparsers: Any) -> None:
@@ -137,7 +137,10 @@ def _echo(tools: Any, options: argparse.Namespace) -> Any:
 
 
 def _hz(tools: Any, options: argparse.Namespace) -> Any:
-    """Print the rate each second, and return a summary. After Ctrl-C, print the summary before reraising."""
+    """Print the rate every second, and return a summary.
+
+    After Ctrl-C, print the summary, and then raise the exception again.
+    """
     from workbook.ros.topic_monitor import rate_of
 
     topic, began, lines = "/" + options.topic.strip("/"), time.monotonic(), 0
@@ -171,7 +174,7 @@ def _say_who_waits(nodes: Sequence[str]) -> None:
 
 
 def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], None]:
-    """Return a callback that takes the published topics, and prints that the requested topic isn't among them."""
+    """Return a callback that takes the published topics and prints that the requested topic isn't among them."""
     topic = "/" + options.topic.strip("/")
 
     def say(published: Sequence[str]) -> None:
@@ -190,14 +193,15 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
 def _topic_meant(topic: str, published: Sequence[str]) -> str:
     """Return a question that suggests the topic that was probably meant; "" if there is none.
 
-    Prefer a published topic that has the same name in a namespace. Otherwise, suggest a similar name.
+    If there is a published topic with the same name in a namespace, suggest that one. Otherwise, suggest a similar
+    name.
     """
     ending = [name for name in published if name.endswith(topic)]
     return f"Did you mean {ending[0]}?" if ending else terminal.meant(topic, published, cutoff=0.75)
 
 
 def nodes_on(domain_id: int) -> int:
-    """Return the current number of nodes on a domain."""
+    """Return the number of nodes that are now on a domain."""
     if not udp_ports_in_use() & set(dds_port_range(domain_id)):
         return 0
     prepare(domain_id=domain_id, check_fields=False)
@@ -214,9 +218,9 @@ def choose_domain(
 ) -> int:
     """Return the domain to inspect: the requested one, the open notebook's, or the environment's.
 
-    If several notebooks are open and none is on the environment's domain, choose the only one with nodes, and print its
-    name. If there isn't exactly one notebook with nodes, ask the user. Raises NoChoice if there is no terminal to ask
-    on.
+    If several notebooks are open and none of them is on the environment's domain, count the nodes on their domains. If
+    exactly one of the notebooks has nodes, choose that one, and print its name. Otherwise, ask the user. Raises
+    NoChoice if there is no terminal to ask the user.
     """
     if asked is not None:
         return asked

@@ -30,7 +30,7 @@ def register(subparsers: Any) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the hints, and record how many were shown. Return the exit code."""
+    """Print the hints, and record in the student's progress how many were shown. Return the exit code."""
     from workbook.cli.paths import student_answers
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import SourceError, UnknownExercise, find, load
@@ -49,7 +49,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _level(text: str | None) -> int | None:
-    """Return a hint's number, counted from 1; None for the next hint. Raises ValueError if there is no such hint."""
+    """Return a hint's number, counted from 1, or None for the next hint. Raises ValueError if there is no such hint."""
     if text is None:
         return None
     if text in LEVELS:
@@ -60,9 +60,9 @@ def _level(text: str | None) -> int | None:
 
 
 def hints_of(stem: str, hints: tuple[str, ...], level: int | None) -> str:
-    """Return the hints up to `level` as text, and record in the progress how many were shown.
+    """Return the hints up to `level` as text, and record in the student's progress how many were shown.
 
-    If `level` is None, show one more hint than before.
+    If `level` is None, return one more hint than before.
     """
     from workbook.lesson.progress import changed_progress
 
@@ -82,7 +82,7 @@ def as_terminal_text(markdown: str) -> str:
     """Format Markdown for a terminal: wrap the prose, and indent code blocks without wrapping them."""
     lines: list[str] = []
     for number, part in enumerate(markdown.split(_FENCE)):
-        if number % 2:  # a code block; its first line names the language
+        if number % 2:  # a code block, whose first line names the language
             lines += [f"    {line}".rstrip() for line in part.split("\n")[1:-1]]
         else:
             lines += [_prose(block) for block in re.split(r"\n\s*\n", part.strip()) if block]

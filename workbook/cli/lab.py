@@ -29,14 +29,17 @@ def register(subparsers: Any) -> None:
 
 
 def run_lab(options: argparse.Namespace) -> int:
-    """Replace this process with JupyterLab. With --only-copy, just update the student's copy."""
+    """Replace this process with JupyterLab or, with --only-copy, only update the student's copy."""
     from workbook.lab.launch import launch
 
     return _only_copy() if options.only_copy else launch(options.rest)
 
 
 def _only_copy() -> int:
-    """Bring the student's copy up to date, for students who use another editor. Return the exit code."""
+    """Update the student's copy of the lessons without opening JupyterLab. Return the exit code.
+
+    This is for students who use another editor.
+    """
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.lab.launch import CannotLaunch, prepare_copy, student_folder
 
@@ -52,7 +55,7 @@ def _only_copy() -> int:
 
 
 def run_reset(options: argparse.Namespace) -> int:
-    """Reset an exercise to its starter, and print where the backups are. Return the exit code."""
+    """Reset an exercise to its starter, and print the paths of the backups. Return the exit code."""
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.lab.launch import student_folder
     from workbook.lab.work_folder import NoSuchExercise, reset

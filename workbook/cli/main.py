@@ -1,8 +1,8 @@
-"""Run the `workbook` command: find the subcommands and run one.
+"""Run the `workbook` command: find the subcommands, and run one of them.
 
 Each module of this package with a `register(subparsers)` function adds its subcommands. `register` sets the parser's
 default `run` to a function that takes the parsed arguments and returns the exit code. To keep `workbook --help` fast,
-these modules have no slow imports at the top.
+these modules don't import slow modules at the top.
 """
 
 import atexit
@@ -46,9 +46,9 @@ def build_parser() -> CommandParser:
 
 
 def drop_search_path() -> None:
-    """Restart without PYTHONPATH and PYTHONHOME if we use the wheels' rclpy.
+    """Restart without PYTHONPATH and PYTHONHOME if rclpy is installed from wheels.
 
-    Otherwise, a ROS installation that was sourced would hide the wheels.
+    Otherwise, after sourcing a ROS installation, Python would import that installation's rclpy.
     """
     if not (os.environ.get("PYTHONPATH") or os.environ.get("PYTHONHOME")):
         return
@@ -62,7 +62,7 @@ def drop_search_path() -> None:
 
 
 def print_any_text() -> None:
-    """Set up printing so that a character the terminal can't encode becomes a question mark instead of an error."""
+    """Make printing replace characters that the terminal can't encode with question marks instead of raising errors."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
@@ -82,7 +82,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("\nStopped.", file=sys.stderr)
         return 130
-    except BrokenPipeError:  # the reader has seen enough, as in `workbook check 09 | head -1`
+    except BrokenPipeError:  # the reading process has exited, as in `workbook check 09 | head -1`
         sys.stderr.close()
         return 0
 
@@ -102,9 +102,9 @@ def _run(words: Sequence[str], *, may_leave: bool) -> int:
 
 
 def leave(code: int) -> NoReturn:
-    """Run the exit functions, then end the process without the interpreter's own shutdown.
+    """Run the exit functions, and then exit without the interpreter's own shutdown.
 
-    With rclpy and NumPy loaded, that shutdown takes 0.1 s, and a student would have to wait for it after each check.
+    With rclpy and NumPy loaded, the shutdown takes 0.1 s, for which students would have to wait after each check.
     """
     atexit._run_exitfuncs()
     sys.stdout.flush()

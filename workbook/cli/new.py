@@ -7,7 +7,7 @@ from typing import Any
 from workbook.cli import terminal
 
 TEMPLATES = ("publisher", "listener", "service", "function")
-"""A copy of the names in `workbook.authoring.skeleton`, which is imported only when needed."""
+"""A copy of the template names in `workbook.authoring.skeleton`, which is imported only when it's needed."""
 
 
 def register(subparsers: Any) -> None:

@@ -1,4 +1,4 @@
-"""`workbook package`: build the students' edition, and the files that Gradescope or a class repository needs."""
+"""`workbook package`: build the students' edition, or the files that Gradescope or a class repository needs."""
 
 import argparse
 import os
@@ -9,7 +9,7 @@ from workbook.cli import terminal
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    """Add the subcommand with an action for each destination."""
+    """Add the subcommand `package` with an action for each target: students, Gradescope, and GitHub."""
     parser = subparsers.add_parser(
         "package",
         help="for instructors: the students' edition, an autograder for Gradescope, a class repository",
@@ -117,7 +117,7 @@ def run_github(options: argparse.Namespace) -> int:
 
 
 def _run(work: "Callable[[], int]") -> int:
-    """Run an action, and return its exit code. Print an expected error as a message, and return 2."""
+    """Run an action, and return its exit code. If an expected error occurs, print it as a message, and return 2."""
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria
     from workbook.exercise.source import SourceError, UnknownExercise

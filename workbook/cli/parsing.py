@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 from workbook.cli import terminal
 
 Groups = Sequence[tuple[str, Sequence[str]]]
-"""The headings of a help page, each with the commands to list under it."""
+"""The headings of a help page, each with the commands that are listed under it."""
 _PLACE = 4
 _ARGUMENT = re.compile(r"argument (?P<name>\S+): (?P<what>.*)", re.DOTALL)
 _CHOICE = re.compile(r"invalid choice: '?(?P<word>.*?)'? \(choose from")
@@ -36,7 +36,7 @@ class CommandParser(argparse.ArgumentParser):
         self.set_defaults(command=self)
 
     def add_subparsers(self, **options: Any) -> Any:
-        """Add subparsers as argparse does, except that a missing subcommand isn't a parser error."""
+        """Add subparsers as argparse does, but don't treat a missing subcommand as a parser error."""
         self._below = super().add_subparsers(**{**options, "required": False})
         return self._below
 
@@ -47,7 +47,7 @@ class CommandParser(argparse.ArgumentParser):
 
     @property
     def briefly(self) -> dict[str, str]:
-        """The short description of each subcommand, keyed by name."""
+        """The subcommands' short descriptions, keyed by name."""
         return {} if self._below is None else {one.dest: one.help for one in self._below._get_subactions()}
 
     @property
@@ -56,7 +56,7 @@ class CommandParser(argparse.ArgumentParser):
         return [action for action in self._actions if action is not self._below]
 
     def format_usage(self) -> str:
-        """Return the usage line, which abbreviates all options that may be omitted to [OPTIONS]."""
+        """Return the usage line, in which [OPTIONS] stands for all optional options."""
         self.usage = self._line_to_type()
         return super().format_usage()
 
@@ -85,7 +85,7 @@ class CommandParser(argparse.ArgumentParser):
         return "\n".join([*page, ""])
 
     def _complete_groups(self) -> Groups:
-        """Return the groups that have commands, followed by a group of the remaining commands."""
+        """Return the groups that have commands, and then a group of the commands that aren't in any group."""
         named = {name for _, names in self.groups for name in names}
         there = self.briefly
         groups = [(heading, [name for name in names if name in there]) for heading, names in self.groups]
@@ -99,7 +99,7 @@ class CommandParser(argparse.ArgumentParser):
         return f"{margin}{name.ljust(column - _PLACE)}{text[column:]}".split("\n")
 
     def error(self, message: str) -> NoReturn:
-        """Print the problem and the next step as sentences, and exit with code 2."""
+        """Print the problem and the next step in sentences, and exit with code 2."""
         what = f"{self._in_words(message).rstrip('.')}"
         end = "" if what.endswith("?") else "."
         lines = [f"{self.prog}: {what}{end}"]
@@ -128,7 +128,7 @@ class CommandParser(argparse.ArgumentParser):
         return f"there is no {kind} {chosen['word']}. There is: {', '.join(names)}"
 
     def refuse(self, rest: Sequence[str]) -> NoReturn:
-        """Exit with an error message about arguments that this command doesn't take."""
+        """Exit with an error message about the arguments `rest`, which this command doesn't accept."""
         first = rest[0]
         options = [option for action in self.arguments for option in action.option_strings]
         guess = terminal.meant(first.partition("=")[0], options) if first.startswith("-") else ""
@@ -147,13 +147,13 @@ def _is_required_option(action: argparse.Action) -> bool:
 
 
 def _place(action: argparse.Action) -> str:
-    """Return a positional argument for the usage line, in brackets if it's optional."""
+    """Format a positional argument for the usage line, in brackets if it's optional."""
     name = _name_of(action)
     return {"?": f"[{name}]", "*": f"[{name} ...]", "+": f"{name} ..."}.get(str(action.nargs), name)
 
 
 def show_what_is_below(parser: CommandParser) -> int:
-    """Print the subcommands of a command that was typed without one. Return the exit code."""
+    """Print a command's subcommands, for a user who typed the command without one. Return the exit code."""
     if parser.groups:
         print(parser.format_help(), end="")
         return 0

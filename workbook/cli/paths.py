@@ -1,4 +1,4 @@
-"""Find a student's files from any current folder: the course's folder, `work/`, or a folder inside `work/`."""
+"""Find a student's files, whether the current folder is the course's folder, `work/`, or a folder inside `work/`."""
 
 import os
 from pathlib import Path
@@ -7,10 +7,10 @@ ANSWERS_VARIABLE = "WORKBOOK_ANSWERS"
 
 
 def student_answers() -> Path:
-    """Return the folder with the student's answers, which may not exist yet. Store it in WORKBOOK_ANSWERS.
+    """Return the folder for the student's answers, which may not exist yet. Store its path in WORKBOOK_ANSWERS.
 
-    If that variable is already set, return its folder. Otherwise, return `answers/` in the current work folder or,
-    failing that, in the course's `work/`. Raises NoCourse.
+    If that environment variable is already set, return the folder that it names. Otherwise, return `answers/` in the
+    current work folder or, failing that, in the course's `work/`. Raises NoCourse if the course can't be found.
     """
     from workbook.exercise.answer_files import ANSWERS, answers_folder
     from workbook.exercise.course import course_folder
@@ -18,8 +18,8 @@ def student_answers() -> Path:
 
     folder = answers_folder()
     if not os.environ.get(ANSWERS_VARIABLE):
-        # An `answers` folder in the course itself contains hand-ins for an instructor to grade. One above the course
-        # belongs to something else.
+        # An `answers` folder in the course itself contains hand-ins for an instructor to grade. An `answers` folder
+        # above the course doesn't belong to the course.
         course = course_folder().resolve()
         if not folder.is_dir() or folder.parent.resolve() in (course, *course.parents):
             folder = student_folder() / ANSWERS

@@ -1,4 +1,4 @@
-"""`workbook replay`: show the contents of a report that a student has sent, without running anything in it."""
+"""`workbook replay`: show the contents of a report that a student has sent, without running any of its code."""
 
 import argparse
 import sys

@@ -23,7 +23,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the report. Return the exit code: 2 if there is no answer to report on, or the report can't be written."""
+    """Write the report. Return the exit code: 2 if there is no answer or the report can't be written, else 0."""
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import UnknownExercise, find
@@ -61,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _sha256(file: Path, stem: str) -> str:
-    """Return the answer's hash; "" if the answer can't be judged, because a report may include it anyway."""
+    """Return the answer's hash, or "" if the answer can't be judged. A report may contain such an answer, too."""
     from workbook.exercise.answers import Ungradable, read_answer
 
     try:
@@ -71,7 +71,10 @@ def _sha256(file: Path, stem: str) -> str:
 
 
 def doctor_lines() -> tuple[str, ...]:
-    """Return the doctor's findings, one per line. They aren't wrapped, because a split path wouldn't be redacted."""
+    """Return the doctor's findings, one per line.
+
+    The lines aren't wrapped, because names can't be removed from a path that is split between two lines.
+    """
     from workbook.lab.health import examine
 
     return tuple(f"{one.status:<5} {one.title}: {one.saw} {one.todo}".rstrip() for one in examine())

@@ -1,4 +1,4 @@
-"""`workbook restore`: bring back an answer's best version that was ever judged, as the file to hand in."""
+"""`workbook restore`: make the best version of an answer that was ever judged the file to hand in again."""
 
 import argparse
 from typing import Any
@@ -19,7 +19,7 @@ def register(subparsers: Any) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Restore the best version, and print where both versions are. Return the exit code."""
+    """Restore the best version, and print the paths of that version and of the replaced one. Return the exit code."""
     from workbook.cli.paths import as_typed, student_answers
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import UnknownExercise, find

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    """Add the subcommand with its actions."""
+    """Add the subcommand with its actions: list, export, and erase."""
     parser = subparsers.add_parser(
         "student",
         help="list, export, or erase all data about one student in a gradebook",
@@ -42,7 +42,10 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run(options: argparse.Namespace) -> int:
-    """List, export, or erase. Return the exit code: 2 if the gradebook can't be read or lacks the student, else 0."""
+    """List, export, or erase the data about the student. Return the exit code.
+
+    The exit code is 2 if the gradebook can't be read or doesn't contain the student, else 0.
+    """
     from workbook.grading.one_student import NotErasable, erase, export, holdings
     from workbook.grading.roster import BadOption
 

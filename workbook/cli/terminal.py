@@ -1,4 +1,4 @@
-"""Terminal helpers that all commands share: line width, colors, wrapping, and suggestions for misspelled names."""
+"""Terminal helpers that all commands share: width, colors, wrapping, and suggestions for misspelled names."""
 
 import difflib
 import os
@@ -19,12 +19,12 @@ def width() -> int:
 
 
 def in_color(stream: TextIO) -> bool:
-    """Return whether to print colors on a stream: only on a terminal, and only without NO_COLOR."""
+    """Return whether to print colors to a stream: only if it's a terminal and NO_COLOR isn't set."""
     return stream.isatty() and "NO_COLOR" not in os.environ
 
 
 def wrapped(text: str, indent: str = "", columns: int | None = None) -> str:
-    """Wrap each line of a text. Code between backticks stays together if it fits on a line."""
+    """Wrap each line of `text`. Code between backticks isn't split if it fits on one line."""
     return "\n".join(
         _wrapped_line(line, indent, width() if columns is None else columns) for line in text.split("\n")
     )
@@ -47,9 +47,9 @@ def _wrapped_line(line: str, indent: str, columns: int) -> str:
 
 
 def say(text: str, stream: TextIO | None = None) -> None:
-    """Print sentences, wrapped to the terminal's width.
+    """Print `text`, wrapped to the terminal's width.
 
-    When the output goes to a file or a pipe, don't wrap the sentences unless COLUMNS is set.
+    If the output goes to a file or a pipe, don't wrap it unless COLUMNS is set.
     """
     stream = stream or sys.stdout
     fits = stream.isatty() or "COLUMNS" in os.environ
@@ -62,6 +62,6 @@ def complain(command: str, problem: object) -> None:
 
 
 def meant(word: str, known: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return a question that suggests the name that was probably meant; "" if no known name is similar."""
+    """Return a question that suggests the name that was probably meant, or "" if no known name is similar."""
     near = difflib.get_close_matches(word, list(known), n=1, cutoff=cutoff)
     return f"Did you mean {near[0]}?" if near else ""

@@ -11,7 +11,7 @@ FULL_MARKS, NOT_YET, NOT_JUDGED = 0, 1, 2
 
 
 def verdict_text(judgement: "Judgement", color: bool) -> str:
-    """Return the judgment as text that fits the terminal's width."""
+    """Format the judgment to fit the terminal's width."""
     from workbook.feedback import wording
     from workbook.feedback.text import as_text
 

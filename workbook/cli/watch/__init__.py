@@ -1,4 +1,5 @@
-"""`workbook check --watch`: judge an answer again after each save. `workbook.cli.check` imports this package on demand.
+"""`workbook check --watch`: judge an answer again after each save.
 
-The modules aren't directly in `workbook.cli`, because every command imports all modules there.
+Every `workbook` command imports all modules that are directly in `workbook.cli`. The slow modules in this package are
+imported only by `workbook.cli.check`, and only when they're needed.
 """

@@ -1,4 +1,7 @@
-"""`workbook check --watch`: judge an answer again after each save, in a slot that stays warm."""
+"""`workbook check --watch`: judge an answer again after each save.
+
+The answers are judged in a warm slot, which is a child process that has already loaded the judge.
+"""
 
 import os
 import sys
@@ -23,17 +26,17 @@ from workbook.grading.slots.protocol import Progress
 from workbook.inside.proc import pids, process_tree
 
 LOOK_S = 0.1
-"""The polling period, in seconds. We assume that a file is complete if it's unchanged between two polls."""
+"""The polling period (s). We assume that a file is complete if it hasn't changed between two polls."""
 END_S = 5.0
-"""How long our child processes have to end after `_end_all` closes the slot, in seconds."""
+"""The longest time (s) for which `_end_all` waits for our child processes to exit."""
 
 Signature = tuple[int, ...] | None
 
 
 def signature(file: Path) -> Signature:
-    """Return a value that changes with each save.
+    """Return a value that changes each time the file is saved.
 
-    Return None if the file is missing, as it is briefly when an editor replaces it.
+    Return None if the file doesn't exist. While an editor replaces the file, that's true for a short time.
     """
     try:
         state = file.stat()
@@ -43,12 +46,16 @@ def signature(file: Path) -> Signature:
 
 
 class _SavedAgain(Exception):
-    """Raised if the file was saved again before the answer's next try."""
+    """Raised when the file was saved again before the answer's next try."""
 
 
 @dataclass
 class Watched:
-    """The watched answer. `note` stores each judgment in the student's progress. For `seed`, see `Judge.judge`."""
+    """The watched answer and the options for judging it.
+
+    `soak`: whether to also start the program again and watch it for eight real seconds, as in grading. `note`: a
+    function that stores each judgment in the student's progress. For `seed`, see `Judge.judge`.
+    """
 
     source: ExerciseSource
     file: Path
@@ -72,7 +79,10 @@ class WatchMode:
         self._judged_text: str | None = None
 
     def run(self) -> int:
-        """Watch and judge, and leave no process behind. Return the exit code of the last judgment."""
+        """Judge the answer after each save until the user quits. Return the exit code of the last judgment.
+
+        When this method returns, the processes that it started have been stopped.
+        """
         try:
             with self._screen.keys():
                 self._judge()
@@ -86,7 +96,7 @@ class WatchMode:
         return self._code
 
     def _end_all(self) -> None:
-        """Close the slot, even if it's judging, and wait for its processes to end."""
+        """Close the slot, even if it's judging, and wait up to `END_S` for our child processes to exit."""
         started = process_tree(os.getpid())[1:]
         warm_slots.close()
         deadline = time.monotonic() + END_S
@@ -96,7 +106,10 @@ class WatchMode:
     # --- waiting ------------------------------------------------------------------------------------------------
 
     def _waited_for_save(self) -> bool:
-        """Wait for a save or the `c` key, and return True. Return False if the user quits."""
+        """Wait until the user saves the file or presses the `c` key, and return True.
+
+        Return False if the user quits.
+        """
         before = signature(self._watched.file)
         while True:
             key = self._screen.key(LOOK_S)
@@ -114,9 +127,9 @@ class WatchMode:
             before = now
 
     def _holds_another(self) -> bool:
-        """Return whether the file's program differs from the last judged one.
+        """Return whether the program in the file differs from the last judged program.
 
-        `%start` and `%check` save the file without changing the program.
+        The file may have been saved without changing the program, as `%start` and `%check` do.
         """
         try:
             return read_answer(self._watched.file, self._watched.source.stem).text != self._judged_text
@@ -154,7 +167,7 @@ class WatchMode:
         self._show(self._text(judgement), *filter(None, notes), *self._keys())
 
     def _judged(self, answer: Answer) -> Judgement:
-        """Judge in the warm slot. Raises _SavedAgain if the file was saved again since judging began."""
+        """Judge the answer in the warm slot. Raises _SavedAgain if the file was saved again after judging had begun."""
         if signature(self._watched.file) not in (self._seen, None):
             raise _SavedAgain
         job = Job("", self._watched.source.stem, answer, seed=self._watched.seed)
@@ -173,7 +186,7 @@ class WatchMode:
         self._show(self._text(judgement), self._doing)
 
     def _progress(self, progress: Progress) -> None:
-        """Show the slot's progress, but only on a terminal, where new text can overwrite the old."""
+        """Show the slot's progress, but only on a terminal, where new output can replace the old."""
         if self._screen.is_terminal:
             self._screen.show(self._shown, f"{self._doing} {progress}")
 
@@ -187,7 +200,7 @@ class WatchMode:
         self._screen.show(text, *notes)
 
     def _change(self, judgement: Judgement) -> str:
-        """Return a sentence about the change in points since the last judged save; "" if there is no change."""
+        """Return a sentence about the change in points since the last judged save, or "" if they haven't changed."""
         if judgement.status != "graded":
             return ""
         points, before = wording.shown_points(judgement)[0], self._points
