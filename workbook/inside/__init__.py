@@ -1,7 +1,8 @@
-"""Scripts that start, confine, or end an answer's process, or run in it. `run.py` starts each without the workbook.
+"""Scripts that start, confine, or kill an answer's process, or run in it.
 
-These files import only the standard library and each other, and some of them rclpy or mypy, where `tests/architecture`
-allows it. They never import the rest of the workbook, which may import all of them.
+`run.py` starts each script without importing the rest of the package `workbook`. These files import only the standard
+library and each other. Some also import rclpy or mypy, where `tests/architecture` allows it. They never import the rest
+of `workbook`, which may import all of them.
 """
 
 from pathlib import Path

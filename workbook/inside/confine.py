@@ -5,10 +5,11 @@ Start this file with `python -I -S run.py confine OPTION... -- COMMAND...` and t
     [--user ID] [--processes N] [--read PATH]... [--write PATH]...
 
 In every case, the process gives up its capabilities and all ways to regain them. `--user` takes a user ID, which is
-also used as the group ID and needs no account. With any `--read` or `--write`, Landlock hides all other files. It also
-blocks signals and TCP connections to outside processes, if the kernel supports that (`landlock_abi`). With any of these
-three options, a system call filter refuses to provide memory that no limit counts. Without `--user`, the filter also
-keeps the program from changing the permissions of the user's files, which Landlock allows.
+also used as the group ID and doesn't need an account. With `--read` or `--write`, the kernel's Landlock hides all files
+except the given ones. If the kernel supports that (`landlock_abi`), Landlock also blocks signals and TCP connections to
+other processes. With any of these three options, a system call filter refuses calls that use memory that no limit
+counts. Without `--user`, the filter also keeps the program from changing the permissions of the user's files, which
+Landlock would allow.
 """
 
 import os
@@ -21,7 +22,7 @@ FAILED = 126
 
 
 def become(user: int) -> None:
-    """Switch permanently to a user ID and the group with the same number, without any other groups."""
+    """Switch permanently to a user ID and to the group ID with the same number. Leave all other groups."""
     os.setgroups([])
     os.setresgid(user, user, user)
     os.setresuid(user, user, user)
@@ -35,7 +36,10 @@ def limit_processes(most: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Confine this process and execute the command (see above). On failure, print the reason and exit with code 126."""
+    """Confine this process and execute the command, as the module's docstring says.
+
+    On failure, print the reason and exit with code 126.
+    """
     asked: dict[str, list[str]] = {"--user": [], "--processes": [], "--read": [], "--write": []}
     while arguments[0] != "--":
         asked[arguments[0]].append(arguments[1])

@@ -1,4 +1,4 @@
-"""Count processes' open descriptors, and the descriptors that their epoll instances watch, using /proc."""
+"""List processes' open descriptors, and count the descriptors that their epoll instances watch, using /proc."""
 
 import os
 from collections.abc import Iterable
@@ -10,7 +10,10 @@ EPOLL = "anon_inode:[eventpoll]"
 
 
 def descriptors(pids: Iterable[int]) -> list[str]:
-    """Return these processes' open descriptors, as paths in /proc. A shared descriptor is listed for each process."""
+    """Return these processes' open descriptors, as paths in /proc.
+
+    A descriptor that processes share is listed for each of them.
+    """
     found: list[str] = []
     for pid in pids:
         folder = f"/proc/{pid}/fd/"

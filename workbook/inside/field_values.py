@@ -1,6 +1,7 @@
 """After an exception, find the message field that had a wrong value.
 
-The C part of a message reports neither the field nor the value, but both are still in the traceback's frames.
+If a message's C code raises an exception, it doesn't name the field or the value. But both can be found in the local
+variables of the traceback's frames.
 """
 
 import re
@@ -12,10 +13,13 @@ from types import FrameType
 from typing import Any
 
 LONGEST_VALUE = 60
-"""The length in characters after which a quoted value is cut off."""
+"""The maximum length of a quoted value, in characters. A longer one is cut."""
 MOST_ELEMENTS = 2_000
 RAISED_FOR_A_VALUE = (TypeError, ValueError, AttributeError, AssertionError, OverflowError, SystemError)
-"""The exceptions that messages raise. A wrong value in a float field raises none, so we blame other fields first."""
+"""The types of exceptions that messages raise for a wrong value.
+
+A wrong value in a float field doesn't raise an exception, so we report the other fields first.
+"""
 _MESSAGE_FILE = re.compile(r"/(?:msg|srv)/_\w+\.py$")
 _MESSAGE_MODULE = re.compile(r"^\w+\.(?:msg|srv)\._\w+$")
 _NO_FIELD = re.compile(r"^'(?P<message>\w+)' object has no attribute '(?P<name>\w+)'")
@@ -26,9 +30,9 @@ _TEXT = re.compile(r"^w?string(?:<\d+>)?$")
 
 
 def note_of(error: BaseException) -> str:
-    """Return a line that says which wrong value was assigned to which field.
+    """Return a line that names the wrong value and the field to which it was assigned.
 
-    Return an empty string if no field is to blame, or if the field can't be found.
+    Return an empty string if no field is the cause or if the field can't be found.
     """
     if not isinstance(error, RAISED_FOR_A_VALUE):
         return ""
@@ -39,9 +43,9 @@ def note_of(error: BaseException) -> str:
 
 
 def _fields_there_are(error: BaseException) -> str:
-    """Return a line that lists a message's fields, the most similar names first, if it lacks the requested one.
+    """Return a line that lists a message's fields if the program used a field that the message doesn't have.
 
-    Otherwise, return an empty string.
+    The most similar names come first. If the exception has a different cause, return an empty string.
     """
     asked = _NO_FIELD.match(str(error)) if isinstance(error, AttributeError) else None
     kinds = [] if asked is None else _kinds(asked["message"], getattr(error, "obj", None))
@@ -56,10 +60,11 @@ def _fields_there_are(error: BaseException) -> str:
 
 
 def _kinds(name: str, owner: Any) -> list[Any]:
-    """Return the message classes with this name: `owner`'s class, or if it's None, all matches in loaded packages.
+    """Return `owner`'s class if it's a message class.
 
-    Python's AttributeError has the owner when an attribute is read, but not when it's set. The name alone may be
-    ambiguous: rclpy has a class Time, too.
+    If `owner` is None, return all loaded message classes named `name`. Python's AttributeError contains the owner if
+    the program read an attribute, but not if it set one. The name alone may be ambiguous, because rclpy also has a
+    class Time, for example.
     """
     if owner is not None:
         return [type(owner)] if _fields(owner) else []
@@ -101,7 +106,7 @@ def _given_to_a_message(frame: FrameType) -> Iterator[str]:
 
 
 def misfits(message: Any, path: str = "") -> Iterator[str]:
-    """Yield a line for each field with a value of a wrong type, in a message and the messages inside it."""
+    """Yield a line for each field of a message, and of the messages inside it, whose value has a wrong type."""
     for name, kind in _fields(message).items():
         yield from _misfit(type(message).__name__, f"{path}{name}", kind, getattr(message, name))
 

@@ -1,4 +1,4 @@
-"""Receive requests and report results, in processes that fork others on request."""
+"""Receive requests and report results in processes that fork other processes on request."""
 
 import json
 import os
@@ -11,16 +11,16 @@ REQUEST_BYTES = 100_000
 DESCRIPTORS = 4
 
 Request = tuple[dict[str, Any], list[int]]
-"""A request's content, and the descriptors that came with it. The first descriptor is for the reply."""
+"""A request's content and the descriptors that came with it. The first descriptor is for the reply."""
 
 
 def requests(
     channel: socket.socket, ended: int | None = None, look_after_ended: Callable[[], None] = lambda: None
 ) -> Iterator[Request]:
-    """Yield the requests one by one until the other end of the channel is closed.
+    """Yield one request after another until the other end of the channel is closed.
 
-    `ended`: a descriptor that becomes readable when a child ends, at which point `look_after_ended` is called; None if
-    the caller doesn't need this call. The caller must close each request's descriptors.
+    `ended`: a descriptor that becomes readable when a child exits, or None. Each time it becomes readable,
+    `look_after_ended` is called. The caller must close each request's descriptors.
     """
     while True:
         if ended is not None:
@@ -40,7 +40,7 @@ def requests(
 
 
 def report(status: int, text: str) -> bool:
-    """Write `text` to the descriptor `status` of the process that made a request. Return False if it's gone."""
+    """Write `text` to the descriptor `status`. Return False if the process that made the request is gone."""
     try:
         os.write(status, text.encode())
     except OSError:

@@ -1,20 +1,21 @@
-"""Start answers by forking, so that Python and rclpy are loaded only once.
+"""Start answers by forking, so that Python and rclpy are loaded only once for all of them.
 
     python -P run.py fork_server CHANNEL
 
-CHANNEL is the file descriptor of an inherited socket. It carries requests (see `Request`), each with two descriptors:
-one for reporting the program's status, and one for its output. Two more are optional: an open file with which the
-program joins its memory cgroup, and the program's input. The first one is an open file, because a path would stay in
-the program's memory.
+CHANNEL is the file descriptor of an inherited socket. It carries requests (see `Request`). Each request comes with two
+descriptors: one for reporting the program's status, and one for its output. Two more descriptors are optional: one of
+the file through which the program joins its memory cgroup, and one for the program's input. The cgroup file is passed
+as a descriptor, because the file's path would stay in the program's memory.
 
 For each request, this process forks a supervisor. The supervisor joins the namespaces that were created for the
-program, if there are any, and forks the program. In namespaces, the program gives up its capabilities before any of the
-answer is read. Of the descriptors, only its input and output stay open. A program without separate namespaces is killed
-when its supervisor ends, and the supervisor when this process ends.
+program, if there are any, and forks the program. In namespaces, the program's process gives up its capabilities before
+it reads any of the answer. It closes all descriptors except its standard input and output. The kernel kills the
+supervisor when this process exits, and a program without namespaces when its supervisor exits.
 
-A request may also be for a branch (see `Branch`), which is another fork server inside a slot's sandbox.
+A request may also be for a branch (see `Branch`), which is another fork server inside a slot's sandbox. A slot is a
+process that judges answers.
 
-A program must not notice which modules this process has imported, so an `ImportCache` hides them.
+An `ImportCache` hides the modules that this process has imported, because a program must not notice them.
 """
 
 import contextlib
@@ -38,16 +39,16 @@ from workbook.inside.proc import own_environment_range
 
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
-"""The size of the blank space for a mark that this process's parent leaves in our environment (see `RunMark`)."""
+"""The number of spaces that this process's parent reserves for a mark in our environment (see `RunMark`)."""
 READY = b"ready"
 FAILED = 126
 
 
 @dataclass(frozen=True)
 class Request:
-    """A request to start a program. `arguments`: those for `host.main`.
+    """A request to start a program. `arguments`: the arguments for `host.main`.
 
-    `namespaces_of`: the process ID of the first process in the sandbox that the program joins; 0 for no sandbox.
+    `namespaces_of`: the process ID of the first process in the sandbox that the program joins, or 0 for no sandbox.
     `folder`: the program's working directory. `reads`: whether the last descriptor is the program's standard input.
     """
 
@@ -60,7 +61,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Branch:
-    """A request to fork another server, for one slot. That server ends when the other end of its channel is closed.
+    """A request to fork another server, for one slot. That server exits when the other end of its channel is closed.
 
     `branch_in`: the process ID of the first process in the slot's sandbox.
     """
@@ -69,10 +70,10 @@ class Branch:
 
 
 class RunMark:
-    """The environment variable that identifies a program and its descendants among the machine's processes.
+    """The mark, which identifies a program and its descendants among the machine's processes.
 
-    The kernel shows other processes the memory that holds a process's original environment, so we write the mark into
-    that memory.
+    The mark is the value of an environment variable. For /proc/PID/environ, the kernel reads the memory that contains
+    the process's original environment. So we write the mark to that memory, where other processes can read it.
     """
 
     def __init__(self) -> None:
@@ -81,7 +82,7 @@ class RunMark:
         self._address = begin + place + len(MARK) if place >= 0 else 0
 
     def write(self, mark: str) -> None:
-        """Write `mark` as this process's mark. Raises ValueError if it doesn't fit."""
+        """Make `mark` this process's mark. Raises ValueError if it doesn't fit into the reserved space."""
         text = mark.encode()
         if not self._address or len(text) > MARK_BYTES:
             raise ValueError(f"there is no room for the mark {mark!r}")
@@ -90,7 +91,7 @@ class RunMark:
 
 @dataclass(frozen=True)
 class Hooks:
-    """The objects that have to do something when the server forks."""
+    """The objects that must act when the server forks."""
 
     lttng: LttngForkHooks
     mark: RunMark
@@ -99,11 +100,11 @@ class Hooks:
 def become_program(
     request: Request, parent: int, output: int, given: int | None, group: int | None, hooks: Hooks
 ) -> None:
-    """Prepare this forked process to run the answer: rights, session, folder, descriptors, and environment.
+    """Prepare this forked process to run the answer: set its rights, session, folder, descriptors, and environment.
 
-    `group`: the descriptor of the file through which to join a memory cgroup. `given`: the program's input; None for an
-    empty one, which is opened here, because programs would share an inherited descriptor's flags. If anything fails,
-    write the reason to `output`, and exit.
+    `group`: the descriptor of the file through which to join a memory cgroup. `given`: the descriptor of the program's
+    input, or None for empty input. For empty input, we open /dev/null here, because programs that inherited the same
+    descriptor would share its flags. If anything fails, write the reason to `output`, and exit.
     """
     try:
         if group is not None:
@@ -118,7 +119,7 @@ def become_program(
         else:
             hooks.mark.write(request.environ[MARK.decode().rstrip("=")])
             die_with_parent(parent)
-        hooks.lttng.after_fork_in_program()  # only now, so that LTTng's threads have no more rights than we do
+        hooks.lttng.after_fork_in_program()  # only now, so that LTTng's threads get no more rights than ours
         os.setsid()
         os.chdir(request.folder)
         os.dup2(os.open(os.devnull, os.O_RDONLY) if given is None else given, 0)
@@ -133,10 +134,11 @@ def become_program(
 
 
 def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> None:
-    """Fork the program into its namespaces. This function returns only in the program; the supervisor exits in it.
+    """Fork the program into its namespaces, and wait for it.
 
-    The supervisor reports the program's process ID, and later its exit status (from `os.waitpid`). When a program in a
-    sandbox ends, the supervisor ends the sandbox, and with it all processes that the program started.
+    Only the forked program returns; the supervisor exits here. The supervisor reports the program's process ID, and
+    later its exit status (from `os.waitpid`). When a program in a sandbox exits, the supervisor kills the sandbox's
+    first process, and with it all processes that the program started.
     """
     code = 1
     status, output, *others = descriptors
@@ -159,7 +161,7 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
             os.kill(program, signal.SIGKILL)
         _, ended = os.waitpid(program, 0)
         if request.namespaces_of:
-            # if the sandbox has already ended, so has the program
+            # the sandbox's first process may have exited already, and the program with it
             with contextlib.suppress(ProcessLookupError):
                 os.kill(request.namespaces_of, signal.SIGKILL)
         report(status, f"{ended}\n")
@@ -170,7 +172,7 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
 
 
 def _reap(*_: object) -> None:
-    """Reap supervisors and branches that have ended."""
+    """Reap the supervisors and branches that have exited."""
     try:
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass
@@ -179,7 +181,7 @@ def _reap(*_: object) -> None:
 
 
 def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socket:
-    """Turn this forked process into a server for one slot. Return its channel.
+    """Turn this forked process into a server for one slot. Return the new server's channel.
 
     If that fails, report the reason and exit.
     """
@@ -199,12 +201,12 @@ def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socke
 def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
     """Fork a program for each request.
 
-    In a program, return its arguments. In the server, return None when the channel is closed.
+    In each forked program, return the program's arguments. In the server, return None when the channel is closed.
     """
     for asked, descriptors in requests(channel):
         try:
             forked = hooks.lttng.fork()
-        except OSError as error:  # this error must not end the other programs
+        except OSError as error:  # this error must not affect the other programs
             report(descriptors[0], f"failed: {error}\n")
             forked = -1
         if forked == 0 and "branch_in" in asked:
@@ -220,7 +222,7 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Import everything that answers need. Then fork a program per request until the channel is closed."""
+    """Import everything that answers need. Then fork a program for each request until the channel is closed."""
     importlib.import_module("rclpy.context")  # the host does this for every answer
     cache = ImportCache()
     cache.fill(import_what_answers_need)

@@ -1,10 +1,10 @@
-"""Create a memory cgroup for a grading process, and remove it when that process ends, even if it's killed.
+"""Create a memory cgroup for a grading process, and remove the group when that process exits or is killed.
 
     python -I -S run.py group_keeper FOLDER PREFIX
 
-This process creates a group in FOLDER and prints its path, or else the error. Then it waits until its standard input is
-closed, either by the grading process or, if that was killed, by the kernel. A lock on the group shows other processes
-that the group is in use.
+This process creates a group in FOLDER and prints the group's path, or an error. Then it waits until its standard input
+is closed by the grading process or, if that process was killed, by the kernel. A lock on the group shows other
+processes that the group is in use.
 """
 
 import fcntl
@@ -17,7 +17,7 @@ from workbook.inside.memory_cgroup import divide_group, remove_group
 
 TRIES = 5
 LONGEST_REMOVAL_S = 30.0
-"""How long (s) the removal may take. It's long, because other processes may also be ending the group's processes."""
+"""The longest time (s) that the removal may take. It's long, because the group's processes may need time to exit."""
 
 
 def keep(folder: str, prefix: str) -> None:
@@ -36,7 +36,7 @@ def keep(folder: str, prefix: str) -> None:
 
 
 def make_locked(folder: str, prefix: str) -> tuple[str, int]:
-    """Create a group and lock it. Return its path, and the open file that holds the lock. Raises OSError."""
+    """Create a group and lock it. Return its path and the descriptor that holds the lock. Raises OSError on failure."""
     for _ in range(TRIES - 1):
         with suppress(BlockingIOError, FileNotFoundError):  # another process removed it before we locked it
             return _make_locked_once(folder, prefix)
@@ -57,7 +57,7 @@ def _make_locked_once(folder: str, prefix: str) -> tuple[str, int]:
 
 
 def main(arguments: list[str]) -> None:
-    """Hold a group for the grading process, and ignore signals, because they're meant for that process.
+    """Keep a group for the grading process. Ignore signals from the terminal, which are meant for that process.
 
     `arguments`: the command-line arguments that the module's docstring describes.
     """

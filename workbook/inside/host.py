@@ -3,12 +3,13 @@
     python -P run.py host [--parent PID] [--attended] [--limit NAME=VALUE]... [--driver DRIVER.py]
         [--tap DOMAIN] ANSWER.py [...]
 
-The file runs as `__main__`, and may have any reasonable form. If it ends normally without ever initializing a context,
-the host calls its `main()`, if there's one that needs no arguments. Otherwise, the host spins the file's leaf Node
-subclass, if there's exactly one.
+The file runs as `__main__` and may have any reasonable form. If it finishes normally without ever initializing an rclpy
+context, the host calls its `main()`, if that can be called without arguments. Otherwise, the host spins the file's leaf
+Node subclass, if there's exactly one.
 
-If there's a driver, it runs as `__main__`, and imports the file as the module `answer`. Before that, the host reads a
-key from standard input. With that key, a global function `sign` of the driver signs reports (see `signer`).
+If there's a driver, it runs as `__main__` instead and imports the file as the module `answer`. Before that, the host
+reads a key from standard input, and gives the driver a global function `sign`, which signs reports with the key (see
+`signer`).
 """
 
 import asyncio
@@ -30,17 +31,20 @@ from workbook.inside.student_traceback import shown, take_over_threads, tell_who
 SWITCH_INTERVAL_S = 1e-4
 """The interval (s) at which Python switches threads.
 
-While a handler waits for a free thread, rclpy's MultiThreadedExecutor busy-waits. With Python's default of 5 ms, that
-delayed the other threads again and again, so counts were wrong, and checks took 20 s.
+While a handler waits for a free thread, rclpy's MultiThreadedExecutor busy-waits. With Python's default of 5 ms, the
+busy thread delayed the other threads again and again, so counts were wrong and checks took 20 s.
 """
 MOST_KEY_BYTES = 64
 BEHIND_THE_KEY = bytes(512)
-"""Padding to hash after the key.
+"""Padding that is hashed after the key.
 
 After this many bytes, the hash object has processed the key and overwritten it in its buffer.
 """
 LONGEST_REPORT = 2_000
-"""The most characters of a report. Recordings truncate longer texts, so that the signature no longer matches."""
+"""The maximum length of a report, in characters.
+
+Recordings truncate longer strings, and then the signature wouldn't match.
+"""
 LIMITS = {
     "memory": resource.RLIMIT_AS,
     "processes": resource.RLIMIT_NPROC,
@@ -53,7 +57,7 @@ LIMITS = {
 
 
 def end_if_nobody_reads() -> None:
-    """End this process if its output has no reader, because the reader was killed before the sandbox was tied to it."""
+    """Exit if no process reads our output. Then the reader was killed before the sandbox was tied to it."""
     pipe = select.poll()
     pipe.register(1, 0)
     if any(event & select.POLLERR for _, event in pipe.poll(0)):
@@ -61,9 +65,9 @@ def end_if_nobody_reads() -> None:
 
 
 def apply_limit(text: str) -> None:
-    """Set a limit, given as NAME=VALUE (see `LIMITS`), that the program can't raise.
+    """Set a limit that the program can't raise. `text` has the form NAME=VALUE (see `LIMITS`).
 
-    For CPU time, the hard limit is one second higher, so that SIGXCPU comes before SIGKILL.
+    For CPU time, the hard limit is one second higher, so that the kernel sends SIGXCPU before SIGKILL.
     """
     name, value = text.split("=")
     _, hard = resource.getrlimit(LIMITS[name])
@@ -75,7 +79,7 @@ def apply_limit(text: str) -> None:
 
 
 def watch_contexts() -> list[object]:
-    """Return a list that grows by one item whenever an rclpy context is initialized."""
+    """Return a list to which an item is added each time an rclpy context is initialized."""
     from rclpy.context import Context
 
     started: list[object] = []
@@ -91,7 +95,7 @@ def watch_contexts() -> list[object]:
 
 
 def callable_without_arguments(function: object) -> bool:
-    """Return whether this is a Python function that can be called without arguments."""
+    """Return whether `function` is a Python function that can be called without arguments."""
     if not inspect.isfunction(function):
         return False
     try:
@@ -129,7 +133,10 @@ def spin_class(node_class: type) -> None:
 
 
 def help_along(module: types.ModuleType) -> None:
-    """Call the file's `main()` if it needs no arguments. Otherwise, spin its leaf Node subclass, if unique."""
+    """Call the file's `main()` if it needs no arguments.
+
+    Otherwise, spin its leaf Node subclass if there's exactly one.
+    """
     main = getattr(module, "main", None)
     if inspect.iscoroutinefunction(main) and callable_without_arguments(main):
         asyncio.run(main())
@@ -147,13 +154,16 @@ def student_traceback(error: BaseException) -> str:
 
 
 def was_interrupted(error: BaseException | None) -> bool:
-    """Return whether Ctrl-C was pressed: it raised KeyboardInterrupt, or rclpy has shut the context down."""
+    """Return whether the program was interrupted with Ctrl-C.
+
+    In that case, `error` is a KeyboardInterrupt, or rclpy has shut the context down.
+    """
     rclpy = sys.modules.get("rclpy")
     return isinstance(error, KeyboardInterrupt) or (rclpy is not None and not rclpy.ok())
 
 
 def compiled(path: str) -> types.CodeType:
-    """Compile a file. Raises SyntaxError."""
+    """Compile a file. Raises SyntaxError if its code is invalid."""
     with open(path, "rb") as file:
         return compile(file.read(), path, "exec", dont_inherit=True)
 
@@ -170,20 +180,20 @@ def execute(path: str, **given: object) -> types.ModuleType:
 
 
 class AnswerFinder:
-    """Provides the answer as the module `answer`, as a finder (for `sys.meta_path`) and a loader."""
+    """Makes the answer importable as the module `answer`. It's both a finder (for `sys.meta_path`) and a loader."""
 
     def __init__(self, path: str) -> None:
         self.path = path
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Return the answer's spec, as part of the import protocol; None for all other names."""
+        """Return the spec of the module `answer`, or None for any other name. Part of the import protocol."""
         return ModuleSpec(name, self, origin=self.path) if name == "answer" else None  # type: ignore[arg-type]
 
     def create_module(self, spec: ModuleSpec) -> None:
-        """Return None to request an ordinary module, as part of the import protocol."""
+        """Return None to request an ordinary module. Part of the import protocol."""
 
     def exec_module(self, module: types.ModuleType) -> None:
-        """Run the answer's code in its module, as part of the import protocol."""
+        """Run the answer's code in its module. Part of the import protocol."""
         module.__file__ = self.path
         exec(compiled(self.path), module.__dict__)
 
@@ -191,9 +201,10 @@ class AnswerFinder:
 def signer() -> Callable[[str, str], str]:
     """Return a function that signs a report for a topic.
 
-    That function returns a number, a signature, and the text, separated by blanks; if there's no key, it returns only
-    the text. The key is read from standard input, which is empty from then on. The function stores a hash state that
-    includes the key, but not the key itself. However, code in this process can still find and call the function.
+    That function returns a number, a signature, and the report, separated by spaces, or only the report if there's no
+    key. The key is read from standard input, which is empty from then on. The function keeps a hash state that includes
+    the key, but not the key itself, so the answer can't read the key. However, code in this process can still find and
+    call the function.
     """
     from hashlib import blake2b
 
@@ -210,7 +221,7 @@ def signer() -> Callable[[str, str], str]:
         return lambda topic, text: text
 
     def sign(topic: str, text: str) -> str:
-        """Return the signed text to publish on `topic`. Replace characters that a message can't contain."""
+        """Return the signed report to publish on `topic`. Replace characters that a message can't contain."""
         text = text[:LONGEST_REPORT].replace("\0", " ").encode(errors="backslashreplace").decode()
         number, mine = next(numbers), keyed.copy()
         mine.update(f"{topic}\n{number}\n{text}".encode())
@@ -228,14 +239,17 @@ def run(path: str) -> None:
 
 
 def run_with_driver(path: str, driver: str) -> None:
-    """Run the driver as `__main__`. The driver imports the answer itself, as the module `answer`."""
+    """Run the driver as `__main__`. The driver then imports the answer as the module `answer`."""
     sign = signer()
     sys.meta_path.insert(0, AnswerFinder(path))
     execute(driver, sign=sign)
 
 
 def obey(options: list[str]) -> tuple[str | None, list[str]]:
-    """Apply the leading options. Return the driver's path (None without one), and the program with its arguments."""
+    """Apply the leading options.
+
+    Return the driver's path, or None if there is none, and the program with its arguments.
+    """
     driver = None
     while options and options[0] in (
         "--parent",
@@ -268,7 +282,7 @@ def main(arguments: list[str]) -> None:
     path = program[0]
     sys.argv = program
     sys.setswitchinterval(SWITCH_INTERVAL_S)
-    # A parent that ignores Ctrl-C, such as a slot, passes that on. In a terminal, the program wouldn't ignore it.
+    # If our parent ignores SIGINT, as a slot does, we've inherited that. Restore the behavior in a terminal.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     take_over_threads(student_traceback)
     error: BaseException | None = None

@@ -1,4 +1,4 @@
-"""Import modules before a fork, and hide them until a program imports them itself."""
+"""Import modules before a fork, and hide them until the forked program imports them itself."""
 
 import builtins
 import importlib.util
@@ -19,8 +19,8 @@ WARMED = (
     "rosgraph_msgs.msg",
     "std_msgs.msg",
     "std_srvs.srv",
-    "numpy",  # imported by every first node, because messages with arrays need it
-    "rosidl_generator_py",  # imported by every first type support, along with a grammar parser
+    "numpy",  # imported with a program's first node, because messages with arrays need it
+    "rosidl_generator_py",  # imported with a program's first type support, along with a grammar parser
 )
 TYPE_SUPPORT = (
     "builtin_interfaces",
@@ -36,10 +36,10 @@ CHECKS = "ros_python_check_fields"
 
 
 class ImportCache:
-    """Keeps loaded modules outside of `sys.modules`. An import adds the module there, as if it had just been loaded.
+    """Keeps loaded modules outside of `sys.modules`. Importing a module adds it there, as if it had just been loaded.
 
-    The modules that it imports at its top level are added, too, so `sys.modules` has the same names as in a fresh
-    Python.
+    The modules that this module imports at its top level are added, too, so `sys.modules` has the same names as in a
+    new Python interpreter.
     """
 
     def __init__(self) -> None:
@@ -83,7 +83,7 @@ class ImportCache:
         self._imports.setdefault(who, {}).update(dict.fromkeys(wanted))
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Return a cached module's spec, as part of the import protocol; None for all other names."""
+        """Return the spec of a cached module, or None for any other name. Part of the import protocol."""
         module = self._modules.get(name)
         if module is None:
             return None
@@ -92,19 +92,19 @@ class ImportCache:
         return spec
 
     def create_module(self, spec: ModuleSpec) -> types.ModuleType:
-        """Return the cached module instead of a new one, as part of the import protocol."""
+        """Return the cached module instead of a new one. Part of the import protocol."""
         return self._modules[spec.name]
 
     def exec_module(self, module: types.ModuleType) -> None:
-        """Restore the module's original spec, and then import the modules that it imports at its top level.
+        """Restore the module's original spec, and then import the modules that the module imports at its top level.
 
-        This is part of the import protocol.
+        Part of the import protocol.
         """
         spec = module.__spec__
         assert spec is not None
         module.__spec__ = spec.loader_state
         del self._modules[spec.name]
-        if hasattr(module, CHECKS):  # message modules read this variable when they're loaded
+        if hasattr(module, CHECKS):  # message modules read this environment variable when they're loaded
             setattr(module, CHECKS, os.environ.get("ROS_PYTHON_CHECK_FIELDS", ""))
         for name in self._imports.get(spec.name, ()):
             if name not in sys.modules and name in self._modules:
@@ -112,9 +112,9 @@ class ImportCache:
 
 
 def _compiled_module_being_loaded() -> str | None:
-    """Return the name of the compiled module that's being loaded; None if there's none.
+    """Return the name of the compiled module that's being loaded, or None if there's none.
 
-    A compiled module's imports seem to come from the import system itself.
+    We need it because a compiled module's imports appear to come from the import system itself.
     """
     frame: types.FrameType | None = sys._getframe()
     while frame is not None:
@@ -128,7 +128,7 @@ def _compiled_module_being_loaded() -> str | None:
 def import_what_answers_need() -> None:
     """Import rclpy, the modules that the first node loads, and the messages that most answers use.
 
-    The middleware isn't imported, because a program may still choose one (RMW_IMPLEMENTATION) before it creates a
+    The middleware isn't imported, because a program may choose one (with RMW_IMPLEMENTATION) before it creates a
     context.
     """
     for name in WARMED:
@@ -139,9 +139,9 @@ def import_what_answers_need() -> None:
 
 
 def _look_up_their_files() -> None:
-    """Make `inspect` cache the modules' files, which it does when it searches for an unknown file.
+    """Make `inspect` cache the modules' file names, which it does when it searches for the module of an unknown file.
 
-    rclpy uses `inspect` to find a logger's caller. Without the cache, the first log line would make several thousand
-    system calls.
+    rclpy uses `inspect` to find a logger's caller. Without the cache, a program's first log message would cause several
+    thousand system calls.
     """
     inspect.getmodule(compile("", "nowhere", "exec"))

@@ -1,4 +1,4 @@
-"""Hide the machine's files from this process permanently, with the kernel's Landlock."""
+"""Hide the machine's files from this process permanently, using the Linux kernel's Landlock."""
 
 import ctypes
 import os
@@ -19,10 +19,10 @@ MAKE_DEVICES = 1 << 6 | 1 << 11
 TRUNCATE, IOCTL_DEV = 1 << 14, 1 << 15
 FILE_RIGHTS = EXECUTE | WRITE_FILE | READ_FILE | TRUNCATE | IOCTL_DEV
 FS_RIGHTS_OF_ABI = {1: 13, 2: 14, 3: 15, 4: 15, 5: 16}
-"""The number of file rights in each Landlock version. Later versions have at least the last one's rights."""
+"""The number of file rights in each Landlock version. Versions after 5 have at least the rights of version 5."""
 TCP_RIGHTS = 0b11
 SCOPES = 0b11
-"""The bits that block signals, and connections to sockets with abstract names, to processes outside."""
+"""The bits that block signals to processes outside the sandbox, and connections to their abstract Unix sockets."""
 
 
 class _Ruleset(ctypes.Structure):
@@ -30,7 +30,7 @@ class _Ruleset(ctypes.Structure):
 
 
 def landlock_abi() -> int:
-    """Return the Landlock version that this kernel supports; 0 if it has none or it's disabled."""
+    """Return the Landlock version that this kernel supports, or 0 if Landlock is missing or disabled."""
     version = libc.syscall(
         SYS_LANDLOCK_CREATE_RULESET, None, ctypes.c_size_t(0), LANDLOCK_CREATE_RULESET_VERSION
     )
@@ -57,8 +57,8 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
 def restrict_to(read: list[str], write: list[str]) -> None:
     """Hide all files permanently, except those at or below the paths in `read` and `write`.
 
-    If the kernel supports it, also block TCP, and signals to processes outside the sandbox. Call `drop_capabilities`
-    first. Raises OSError if there's no Landlock.
+    If the kernel supports it, also block TCP connections and signals to processes outside the sandbox, which consists
+    of this process and its descendants. Call `drop_capabilities` first. Raises OSError if the kernel has no Landlock.
     """
     abi = landlock_abi()
     if abi == 0:

@@ -1,4 +1,4 @@
-"""Call C library functions that Python doesn't provide."""
+"""Call functions of the C library that Python doesn't provide."""
 
 import ctypes
 import os
@@ -18,14 +18,14 @@ def checked(what: str, result: int) -> int:
 
 
 def set_parent_death_signal(number: signal.Signals = signal.SIGKILL) -> None:
-    """Have the kernel send `number` to this process when the thread that started it ends."""
+    """Make the kernel send the signal `number` to this process when the thread that started this process finishes."""
     libc.prctl(PR_SET_PDEATHSIG, number, 0, 0, 0)
 
 
 def die_with_parent(parent: int) -> None:
-    """Have the kernel kill this process when its parent process `parent` ends.
+    """Make the kernel kill this process when its parent process `parent` exits.
 
-    If the parent has already ended, exit right away.
+    If the parent has already exited, exit right away.
     """
     set_parent_death_signal()
     if os.getppid() != parent:

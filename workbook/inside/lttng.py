@@ -1,4 +1,4 @@
-"""Tell LTTng when this process is forked. LTTng is a tracing library that rclpy's wheels load."""
+"""Notify LTTng when this process is forked. LTTng is a tracing library that rclpy's wheels load."""
 
 import ctypes
 import os
@@ -12,7 +12,8 @@ class LttngForkHooks:
     """Notifies LTTng of each fork.
 
     LTTng has two threads, which a forked process doesn't inherit. LTTng's `liblttng-ust-fork` has functions to call
-    around a fork. Without those calls, LTTng cancels the wrong threads when the program ends, and the program may hang.
+    before and after a fork. Without those calls, LTTng would cancel the wrong threads when the program exits, and the
+    program might hang.
     """
 
     def __init__(self) -> None:
@@ -22,7 +23,7 @@ class LttngForkHooks:
         self._signals = ctypes.create_string_buffer(SIGSET_BYTES)
 
     def fork(self) -> int:
-        """Fork like `os.fork`. The child must call `after_fork_in_program`. Raises OSError if the fork fails."""
+        """Fork as `os.fork` does. The child must call `after_fork_in_program`. Raises OSError if the fork fails."""
         if self._library is not None:
             self._library.ust_before_fork(self._signals)  # blocks all signals
         pid = -1
@@ -34,6 +35,6 @@ class LttngForkHooks:
         return pid
 
     def after_fork_in_program(self) -> None:
-        """Restart LTTng's threads. Call this in the forked process, once it has given up its rights."""
+        """Restart LTTng's threads. Call this method in the forked process once it has given up its rights."""
         if self._library is not None:
             self._library.ust_after_fork_child(self._signals)

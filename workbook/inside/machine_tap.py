@@ -1,10 +1,10 @@
-"""Record how messages and timer ticks reach the callbacks of some nodes: when each arrived, was taken, and was handled.
+"""Record the times at which messages and timer ticks arrive, are taken, and are handled by nodes' callbacks.
 
 While a `MachineTap` is open, it wraps methods of rclpy's executors, wait sets, and entities in this process. All times
-are in ns on the system clock, like DDS's timestamps. `notes()` returns plain data for JSON.
+are in ns on the system clock, as DDS's timestamps are. `notes()` returns plain data for JSON.
 
-As a driver (``ANSWER.py FILE SECONDS NODE``), this file runs another program's `main()`. Once the node has spun for
-that many seconds, it writes the node's notes to FILE.
+This file can also be a driver, which runs another program's `main()` (``ANSWER.py FILE SECONDS NODE``). It records the
+node NODE for SECONDS seconds after the node was added to an executor, and then writes the notes to FILE.
 """
 
 import importlib
@@ -29,7 +29,10 @@ Note = dict[str, Any]
 
 
 class _Watched:
-    """Awaits a callback, and records when it pauses and resumes. While it's paused, its thread can do other work."""
+    """Awaits a callback, and records when the callback pauses and resumes.
+
+    During a pause, its thread can do other work.
+    """
 
     def __init__(self, awaited: Awaitable[Any], call: Note) -> None:
         self._awaited, self._call = awaited, call
@@ -52,9 +55,10 @@ class _Watched:
 
 
 class MachineTap:
-    """Records the callbacks of `nodes` while it's open. Use it as a context manager. To add more nodes, call `watch`.
+    """Records the callbacks of `nodes` while it's open. It's a context manager. Call `watch` to add more nodes.
 
-    `drain`: whether to also take the responses that are still in the queues at the end (see `_look_into_queues`).
+    `drain`: whether to also take the responses that are still in the queues when recording stops (see
+    `_look_into_queues`).
     """
 
     def __init__(self, nodes: Iterable[Any] = (), *, drain: bool = False) -> None:
@@ -81,8 +85,8 @@ class MachineTap:
     def watch(self, node: Any) -> None:
         """Watch a node's current subscriptions, timers, clients, and services.
 
-        Return once the copies of its subscriptions (see `_shadow`) have found their publishers, but at the latest after
-        `MATCHED_WITHIN_S`.
+        For each of its subscriptions, create a copy (see `_shadow`). Return when the copies have been matched with
+        their publishers, or after `MATCHED_WITHIN_S` seconds, whichever comes first.
         """
         self._nodes.append(node)
         for kind, found in _entities_of(node):
@@ -99,7 +103,10 @@ class MachineTap:
             time.sleep(POLL_S)
 
     def _shadow(self, place: int, subscription: Any, node: Any) -> None:
-        """Create a copy of a subscription, with a deep queue, because rclpy doesn't report dropped messages."""
+        """Create a copy of a subscription with a deep queue.
+
+        rclpy doesn't report dropped messages, but they can be found in the copy's queue, which doesn't drop any.
+        """
         from rclpy.node import Node
         from rclpy.qos import QoSProfile
 
@@ -145,7 +152,7 @@ class MachineTap:
             self._shadow_node = None
 
     def stop(self) -> None:
-        """Stop recording. Messages that are still in the queues become part of the notes."""
+        """Stop recording. Add the messages that are still in the queues to the notes."""
         if self.ended is not None:
             return
         self.ended = time.time_ns()
@@ -225,7 +232,10 @@ class MachineTap:
         return wait
 
     def _spinning(self, original: Any) -> Any:
-        """Wrap an executor's wait: record which executor serves a watched node, and mark the thread that waits."""
+        """Wrap an executor's method for waiting.
+
+        The wrapper records which executor serves a watched node, and marks the thread that waits.
+        """
 
         def wait_for_ready_callbacks(executor: Any, *args: Any, **named: Any) -> Any:
             if not any(node in self._nodes for node in executor.get_nodes()):
@@ -240,9 +250,10 @@ class MachineTap:
         return wait_for_ready_callbacks
 
     def _look_into_queues(self) -> None:
-        """Record when messages arrived, including those that were never taken, and when timers are due next.
+        """Record when messages arrived, including messages that were never taken, and when timers are due next.
 
-        The copies of the subscriptions have all messages. Responses that weren't taken are recorded only with `drain`.
+        The copies of the subscriptions have received all messages. Responses that weren't taken are recorded only if
+        `drain` is set.
         """
         for place, shadow in self._shadows.items():
             with shadow.handle:
@@ -280,13 +291,16 @@ class MachineTap:
 
 
 def _nothing(message: Any) -> None:
-    """Ignore a message from a copied subscription. It's never called, because no executor serves the copies."""
+    """Ignore a message.
+
+    This is the callback of the copied subscriptions. It never runs, because no executor serves them.
+    """
 
 
 def _entities_of(node: Any) -> list[tuple[str, Any]]:
     """Return the kind and object of each of a node's subscriptions, timers, clients, and services.
 
-    Leave out those that rclpy creates for every node.
+    Leave out the subscriptions and services that rclpy creates for every node.
     """
     named = [
         ("subscription", [one for one in node.subscriptions if one.topic_name != "/parameter_events"]),
@@ -326,9 +340,9 @@ def _described_executor(executor: Any) -> Note:
 
 
 def _due(entity: Any) -> int | None:
-    """Return when a timer is due next (ns); the time is in the past if the timer is overdue.
+    """Return the time (ns) at which a timer is due next. If the timer is overdue, this time is in the past.
 
-    Return None for other entities, and for a canceled timer.
+    Return None for a canceled timer and for all other entities.
     """
     if not hasattr(entity.handle, "time_until_next_call"):
         return None
@@ -337,7 +351,7 @@ def _due(entity: Any) -> int | None:
 
 
 def _stamps(found: Any) -> tuple[int, int] | None:
-    """Return when a taken item was sent and received (ns), according to DDS; None if that's unknown."""
+    """Return the times (ns) at which a taken item was sent and received, according to DDS, or None if unknown."""
     for part in found or ():
         if isinstance(part, dict):
             return part["source_timestamp"], part["received_timestamp"]
@@ -349,7 +363,7 @@ def _stamps(found: Any) -> tuple[int, int] | None:
 def _run_and_write(file: str, seconds: float, name: str) -> None:
     """Run `answer.main()`.
 
-    Watch its node `name` for `seconds` from when it's added to an executor, and write the notes.
+    Record its node `name` for `seconds` after the node was added to an executor, and then write the notes to `file`.
     """
     from rclpy.executors import Executor
 

@@ -1,4 +1,4 @@
-"""Use memory cgroups through the kernel's files: join a group, and remove a group together with its processes.
+"""Use memory cgroups through the kernel's files: join a group, or kill a group's processes and remove it.
 
 Source: https://docs.kernel.org/admin-guide/cgroup-v1/memory.html and https://docs.kernel.org/admin-guide/cgroup-v2.html
 """
@@ -17,12 +17,12 @@ _POLL_S = 0.002
 
 
 def open_group(joins: str) -> int:
-    """Open the file through which a process joins a group, and return its descriptor. Raises OSError."""
+    """Open a group's join file, and return its descriptor. Raises OSError if it can't be opened."""
     return os.open(joins, os.O_WRONLY | os.O_CLOEXEC)
 
 
 def join(descriptor: int) -> None:
-    """Move this process, which must have only one thread, into the group of an open file (see `open_group`).
+    """Move this process, which must have only one thread, to the group whose join file is open (see `open_group`).
 
     Raises OSError.
     """
@@ -30,23 +30,23 @@ def join(descriptor: int) -> None:
 
 
 def hide_group() -> None:
-    """Hide the path of this process's group, which the process then sees as the root. Raises OSError."""
+    """Hide the path of this process's group: from now on, the process sees its group as the root. Raises OSError."""
     checked("unshare", libc.unshare(CLONE_NEWCGROUP))
 
 
 def version_of(group: str) -> int:
-    """Return the cgroup version, 1 or 2, judging by the group's files."""
+    """Return the cgroup version, 1 or 2, which shows in the group's files."""
     return 2 if os.path.exists(f"{group}/cgroup.controllers") else 1
 
 
 def divide_group(group: str) -> None:
-    """Make the group's subgroups count memory, which version 2 doesn't do by default. Raises OSError."""
+    """Enable memory limits for the group's subgroups, which version 2 doesn't do by default. Raises OSError."""
     if version_of(group) == 2:
         write(f"{group}/cgroup.subtree_control", "+memory")
 
 
 def write(path: str, text: str) -> None:
-    """Write to an existing file of the kernel. Raises OSError."""
+    """Write to an existing file of the kernel. Raises OSError on failure."""
     descriptor = os.open(path, os.O_WRONLY)
     try:
         os.write(descriptor, text.encode())
@@ -55,7 +55,7 @@ def write(path: str, text: str) -> None:
 
 
 def processes_in(group: str) -> list[int]:
-    """Return the processes in a group; none if it's gone."""
+    """Return the IDs of the processes in a group, or an empty list if the group is gone."""
     try:
         with open(f"{group}/{PROCESSES}") as file:
             return [int(line) for line in file]
@@ -64,7 +64,7 @@ def processes_in(group: str) -> list[int]:
 
 
 def groups_in(folder: str) -> list[str]:
-    """Return the subgroups of a group; none if it's gone."""
+    """Return the paths of a group's subgroups, or an empty list if the group is gone."""
     try:
         with os.scandir(folder) as entries:
             return [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
@@ -75,7 +75,7 @@ def groups_in(folder: str) -> list[str]:
 def remove_group(group: str, patience_s: float = LONGEST_REMOVAL_S) -> bool:
     """Kill all processes in a group and its subgroups, and remove the groups.
 
-    Return whether the group is gone. If it isn't, give up after `patience_s` (s).
+    Give up after `patience_s` seconds. Return whether the group is gone.
     """
     deadline = time.monotonic() + patience_s
     while True:

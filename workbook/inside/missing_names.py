@@ -1,6 +1,6 @@
-"""Explain a missing name: it's set on another line, belongs elsewhere, is misspelled, or was overwritten.
+"""Explain an exception about a missing name: where the name is set, where it belongs, or which names are similar.
 
-The text of such an exception contains only names, but the exception itself refers to the object.
+The exception's message contains only names, but the exception itself and its frames refer to the object.
 """
 
 import dis
@@ -15,10 +15,10 @@ from typing import Any
 
 MOST_NAMES = 3
 ALIKE, ALIKE_FOR_MODULES = 0.7, 0.8
-"""How similar (from 0 to 1, see `difflib`) another name must be for us to suggest it."""
+"""The least similarity (from 0 to 1, see `difflib`) of a name that we suggest."""
 _OF_THE_PROGRAM = ("__main__", "answer")
 _RAISES_FOR_IT = "enum"
-"""Up to Python 3.11, this module raises the exception if a program uses a missing name of an enum."""
+"""Up to Python 3.11, this module raises the exception if a program uses a name that an enum doesn't have."""
 _NOT_IN_MODULE = re.compile(r"^cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'")
 _NO_KEYWORD = re.compile(
     r"^(?P<kind>\w+)\.(?P<name>\w+)\(\) got an unexpected keyword argument '(?P<keyword>\w+)'"
@@ -36,7 +36,7 @@ _CLASSES = {
 
 
 def note_of_name(error: BaseException) -> str:
-    """Return a line that says where a missing name is, or which names are similar; empty if we find none."""
+    """Return a line that says where a missing name is or which names are similar, or "" if we don't find any."""
     try:
         frames = [step.tb_frame for step in _steps(error)]
         if not frames or frames[-1].f_globals.get("__name__") not in (*_OF_THE_PROGRAM, _RAISES_FOR_IT):
@@ -58,9 +58,9 @@ def _steps(error: BaseException) -> Iterator[TracebackType]:
 
 
 def _of_node(frames: list[FrameType]) -> str:
-    """Identify the program's line that overwrote one of Node's own attributes, on which rclpy then failed.
+    """Return a line about the statement in the program that overwrote one of Node's own attributes and made rclpy fail.
 
-    Return an empty string if there's no such line.
+    Return an empty string if there's no such statement.
     """
     kind = getattr(sys.modules.get("rclpy.node"), "Node", None)
     locals_of_rclpy = [
@@ -120,7 +120,7 @@ def _alike(owner: str, name: str, names: Iterable[str], share: float) -> str:
 
 
 def _own_functions(kind: type) -> Iterator[FunctionType]:
-    """Yield the methods of a class and its base classes that the program itself defines."""
+    """Yield the methods of a class and of its base classes, as far as the program itself defines these classes."""
     for one in kind.__mro__:
         if one.__module__ in _OF_THE_PROGRAM:
             yield from (value for value in vars(one).values() if inspect.isfunction(value))
@@ -134,7 +134,10 @@ def _set_by(function: FunctionType) -> Iterator[tuple[str, int]]:
 
 
 def _others_with(owner: Any, name: str) -> Iterator[str]:
-    """Yield the names of rclpy's classes (or "rclpy") that have this function, if the owner belongs to rclpy."""
+    """Yield the names of rclpy's classes that have this method, and "rclpy" if that module has a function of this name.
+
+    If `owner` doesn't belong to rclpy, yield nothing.
+    """
     module = owner.__name__ if inspect.ismodule(owner) else ""
     if not any(one.__module__.startswith("rclpy.") for one in type(owner).__mro__) and module != "rclpy":
         return

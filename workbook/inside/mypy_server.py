@@ -1,10 +1,10 @@
-"""Run mypy on request. This process imports mypy only once, and forks for each run.
+"""Run mypy on request. This process imports mypy only once and forks for each run.
 
     python -P run.py mypy_server CHANNEL
 
-CHANNEL is the file descriptor of an inherited socket. It carries one `Run` after another, each with two descriptors:
-for mypy's findings, and for its errors. The reply to each is mypy's exit status (from `os.waitpid`). When the other end
-of the channel is closed, this process ends, and kills a running mypy.
+CHANNEL is the file descriptor of an inherited socket. It carries one request after another (see `Run`), each with two
+descriptors: one for mypy's findings, and one for its errors. The reply to each request is mypy's exit status (from
+`os.waitpid`). When the other end of the channel is closed, this process kills mypy if it's running, and exits.
 """
 
 import gc
@@ -68,14 +68,14 @@ def become_mypy(run: Run, parent: int, outputs: Sequence[int]) -> NoReturn:
 
 
 def ended(child: int, channel: socket.socket) -> int | None:
-    """Wait until `child` has ended, and return its status.
+    """Wait until `child` exits, and return its exit status.
 
     If the channel is closed first, kill `child` and return None.
     """
     watched = select.poll()
     handle = os.pidfd_open(child)
     watched.register(handle, select.POLLIN)
-    watched.register(channel, select.POLLIN)  # nothing is sent in the meantime: it can only be closed
+    watched.register(channel, select.POLLIN)  # nothing is sent in the meantime, so it can only be closed
     ready = [descriptor for descriptor, _ in watched.poll()]
     os.close(handle)
     if handle not in ready:

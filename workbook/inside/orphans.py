@@ -1,4 +1,4 @@
-"""Adopt and end orphans: processes that outlive the process that started them."""
+"""Adopt and kill orphans: processes that are still running after the process that started them has exited."""
 
 import os
 import signal
@@ -17,11 +17,11 @@ _exempt: set[int] = set()
 
 
 class StillThere(RuntimeError):
-    """Some processes don't end, or may not be killed. The message says which."""
+    """Raised when processes are still running after a sweep, or may not be killed. The message says which ones."""
 
 
 def adopt_orphans() -> None:
-    """Make this process adopt the processes that a program leaves behind, so that it can end them."""
+    """Make this process adopt the processes that a program leaves behind, so that it can kill them."""
     libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
@@ -31,21 +31,21 @@ def exempt(pid: int) -> None:
 
 
 def forget(pid: int) -> None:
-    """Undo `exempt` for a child that has ended, because its process ID may be reused."""
+    """Undo `exempt` for a child that has exited, because its process ID may be reused."""
     _exempt.discard(pid)
 
 
 def forget_all() -> None:
-    """Undo `exempt` for all children. Call this in a fork, because they're children of the original process."""
+    """Undo `exempt` for all children. Call this function in a forked process, because they aren't its own children."""
     _exempt.clear()
 
 
 def sweep_orphans() -> int:
-    """Kill and reap all our descendants that aren't exempt. Return how many there were.
+    """Kill and reap all our descendants that aren't exempt. Return the number of processes killed.
 
     Each process is suspended as soon as it's found, because a suspended process can't fork. When no new process is
-    found, all of them are killed. Raises StillThere if new processes still appear after 20 s, faster than they can be
-    suspended.
+    found, all of them are killed. Raises StillThere if new processes still appear after 20 s, because they're started
+    faster than we can suspend them.
     """
     ended: set[int] = set()
     deadline = time.monotonic() + LONGEST_SWEEP_S
@@ -89,11 +89,12 @@ def _signal(pids: Iterable[int], number: signal.Signals) -> None:
 
 
 def _reap(killed: set[int]) -> None:
-    """Reap the killed processes.
+    """Reap the killed processes as they become our children.
 
-    When a process ends, we adopt its children, so eventually each process is our child.
+    When a process exits, we adopt its children, so each of the processes becomes our child eventually.
 
-    We reap them in any order, because a sandbox's first process can't be reaped before the others in it.
+    We don't reap them in a fixed order, because a sandbox's first process can't be reaped before the sandbox's other
+    processes.
     """
     while mine := killed.intersection(children(os.getpid())):
         reaped = 0

@@ -1,6 +1,6 @@
 """Read information from /proc: about processes, threads, sockets, users, and processors.
 
-If a process has ended, functions return an empty result, zero, or None, or raise OSError, as each one describes.
+If a process has exited, a function returns an empty result, zero, or None, or it raises OSError, as its docstring says.
 """
 
 import os
@@ -21,7 +21,7 @@ QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
 
 
 def read(path: str) -> bytes:
-    """Read a small file in /proc. Raises OSError if its process has ended.
+    """Read a small file in /proc. Raises OSError if the file's process has exited.
 
     This function is called many times per second. A file object would make twice as many system calls, and a `Path`
     even more.
@@ -49,7 +49,7 @@ def _number_after(name: bytes, path: str) -> int:
 
 
 def read_text(path: str) -> str:
-    """Read a file of any size as text. Raises OSError."""
+    """Read a text file of any size. Raises OSError if it can't be read."""
     with open(path, encoding="utf-8", errors="replace") as file:
         return file.read()
 
@@ -63,14 +63,14 @@ def pids() -> list[int]:
 
 
 def tasks(pid: int) -> list[str]:
-    """Return the IDs of a process's threads; none if it has ended."""
+    """Return the IDs of a process's threads, or an empty list if the process has exited."""
     with suppress(OSError):
         return os.listdir(f"/proc/{pid}/task")
     return []
 
 
 def children(pid: int) -> list[int]:
-    """Return the child processes that `pid` has started or adopted; none if it has ended."""
+    """Return the child processes that `pid` has started or adopted, or an empty list if `pid` has exited."""
     found: list[int] = []
     for task in tasks(pid):
         with suppress(OSError):
@@ -90,40 +90,43 @@ def process_tree(pid: int) -> list[int]:
 
 
 def command_line(pid: int) -> bytes:
-    """Return a process's command line, with a zero byte after each part; empty if it has ended."""
+    """Return a process's command line, with a zero byte after each part, or b"" if the process has exited."""
     return _read_if_there(f"/proc/{pid}/cmdline")
 
 
 def environment(pid: int) -> list[bytes]:
-    """Return a process's original environment (`NAME=VALUE`); empty if it has ended or we may not read it."""
+    """Return a process's original environment (`NAME=VALUE`).
+
+    The list is empty if the process has exited or if we may not read its environment.
+    """
     content = _read_if_there(f"/proc/{pid}/environ")
     return content.split(b"\0") if content else []
 
 
 def status(pid: int | str = "self") -> dict[str, str]:
-    """Return the fields of /proc/PID/status by name. Raises OSError if the process has ended."""
+    """Return the fields of /proc/PID/status by name. Raises OSError if the process has exited."""
     lines = read(f"/proc/{pid}/status").decode(errors="replace").splitlines()
     fields = (line.partition(":") for line in lines)
     return {name: value.strip() for name, _, value in fields}
 
 
 def stat_fields(pid: int | str = "self") -> list[bytes]:
-    """Return the fields of /proc/PID/stat, beginning with the state (the third one; see proc(5)).
+    """Return the fields of /proc/PID/stat, beginning with the third one, the state (see proc(5)).
 
-    Raises OSError if the process has ended.
+    Raises OSError if the process has exited.
     """
     return read(f"/proc/{pid}/stat").rsplit(b")", 1)[1].split()
 
 
 def owner(pid: int) -> int | None:
-    """Return a process's user ID; None if it has ended."""
+    """Return a process's user ID, or None if the process has exited."""
     with suppress(OSError):
         return os.stat(f"/proc/{pid}").st_uid
     return None
 
 
 def running_users() -> list[tuple[int, int]]:
-    """Return the process ID and real user ID of every process that hasn't ended."""
+    """Return the process ID and the real user ID of every running process. Zombies are left out."""
     found = []
     for pid in pids():
         try:
@@ -139,7 +142,7 @@ def running_users() -> list[tuple[int, int]]:
 
 
 def processor_seconds(group: Iterable[int]) -> float | None:
-    """Return the CPU time (s) that these processes have used; None if all of them have ended."""
+    """Return the CPU time, in seconds, that these processes have used, or None if all of them have exited."""
     used = []
     for pid in group:
         with suppress(OSError):
@@ -148,12 +151,18 @@ def processor_seconds(group: Iterable[int]) -> float | None:
 
 
 def run_queue_s(pid: int) -> float:
-    """Return how long (s) a process's first thread has waited for a processor; zero if it has ended."""
+    """Return the time, in seconds, that a process's first thread has waited for a processor.
+
+    Return zero if the process has exited.
+    """
     return ran_and_waited_s(pid)[1]
 
 
 def ran_and_waited_s(pid: int) -> tuple[float, float]:
-    """Return how long (s) a process's first thread has run and has waited for a processor; zeros if it has ended."""
+    """Return the times, in seconds, that a process's first thread has run and has waited for a processor.
+
+    Return zeros if the process has exited.
+    """
     # https://docs.kernel.org/scheduler/sched-stats.html
     try:
         ran, waited, *_ = map(int, read(f"/proc/{pid}/schedstat").split())
@@ -163,7 +172,7 @@ def ran_and_waited_s(pid: int) -> tuple[float, float]:
 
 
 def resident_bytes(pid: int) -> int:
-    """Return a process's memory (bytes), including shared memory; zero if it has ended."""
+    """Return a process's resident memory in bytes, including shared memory, or zero if the process has exited."""
     try:
         return int(read(f"/proc/{pid}/statm").split()[1]) * _PAGE_BYTES
     except (OSError, IndexError):
@@ -171,38 +180,41 @@ def resident_bytes(pid: int) -> int:
 
 
 def written_bytes(pid: int) -> int:
-    """Return how many bytes a process and its reaped children wrote with system calls; zero if it has ended.
+    """Return the number of bytes that a process and its reaped children have written with system calls.
 
-    Source: proc_pid_io(5), `wchar`.
+    Return zero if the process has exited. Source: proc_pid_io(5), `wchar`.
     """
     return _number_after(b"wchar:", f"/proc/{pid}/io")
 
 
 def proportional_bytes(pid: int) -> int:
-    """Return a process's memory (bytes), with its share of shared memory; zero if it has ended. This call is slow."""
+    """Return a process's proportional set size (PSS) in bytes, or zero if the process has exited. This call is slow."""
     return 1024 * _number_after(b"Pss:", f"/proc/{pid}/smaps_rollup")
 
 
 def memory_bytes(group: Sequence[int], worth_counting: int) -> int:
-    """Return the memory (bytes) that these processes use together.
+    """Return the memory, in bytes, that these processes use together.
 
-    Memory that they share, such as after a fork, counts only once. Because that's slow to find out, the result is only
-    an upper bound if it's at most `worth_counting` bytes.
+    Memory that the processes share, such as after a fork, counts only once. But the exact number is slow to compute. If
+    an upper bound is at most `worth_counting` bytes, return that upper bound instead.
     """
     rough = sum(map(resident_bytes, group))
     return rough if rough <= worth_counting else sum(map(proportional_bytes, group))
 
 
 def available_memory_bytes() -> int:
-    """Return how many bytes of memory programs can still use without swapping; zero if that's unknown.
+    """Return the number of bytes of memory that programs can still use without swapping.
 
-    See proc_meminfo(5).
+    Return zero if that's unknown. See proc_meminfo(5).
     """
     return 1024 * _number_after(b"MemAvailable:", "/proc/meminfo")
 
 
 def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
-    """Return each cgroup hierarchy's number and controllers, and this process's path in it; empty if there are none."""
+    """Return each cgroup hierarchy's number and controllers, and this process's path in it.
+
+    Return an empty list if there are no hierarchies.
+    """
     try:
         rows = [line.split(":", 2) for line in read_text(table).splitlines()]
     except OSError:
@@ -211,7 +223,10 @@ def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
 
 
 def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str]]]:
-    """Return the root, mount point, and options of each mounted file system of this kind; empty if that's unknown."""
+    """Return the root, mount point, and options of each mounted file system of this kind.
+
+    Return an empty list if that's unknown.
+    """
     try:
         rows = [line.split() for line in read_text(table).splitlines()]
     except OSError:
@@ -221,7 +236,10 @@ def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str
 
 
 def mount_usage(pid: int, folder: str) -> os.statvfs_result:
-    """Return the size and use of the file system that a process sees at `folder`. Raises OSError if it has ended."""
+    """Return the size and use of the file system that a process sees at `folder`.
+
+    Raises OSError if the process has exited.
+    """
     return os.statvfs(f"/proc/{pid}/root{folder}")
 
 
@@ -229,26 +247,29 @@ def mount_usage(pid: int, folder: str) -> os.statvfs_result:
 
 
 def thread_name(task: str) -> bytes:
-    """Return the name of this process's thread `task`. Raises OSError if the thread has ended."""
+    """Return the name of this process's thread `task`. Raises OSError if the thread has finished."""
     return read(f"/proc/self/task/{task}/comm")
 
 
 def how_many_threads(pid: int) -> int:
-    """Return a process's number of threads; zero if it has ended. This is ten times faster than listing them."""
+    """Return the number of threads in a process, or zero if the process has exited.
+
+    This is ten times faster than listing the threads.
+    """
     with suppress(OSError):
         return os.stat(f"/proc/{pid}/task").st_nlink - 2
     return 0
 
 
 def thread_folder(pid: int | str, task: str) -> str:
-    """Return the folder of a thread's files in /proc, such as `stat`, `schedstat`, and `syscall`."""
+    """Return the folder in /proc that contains a thread's files, such as `stat`, `schedstat`, and `syscall`."""
     return f"/proc/{pid}/task/{task}"
 
 
 def is_at_work(stat_fd: int) -> bool:
     """Return whether a thread is running, waiting for a processor, or waiting for a disk.
 
-    `stat_fd`: the thread's open file `stat`.
+    `stat_fd`: the descriptor of the thread's file `stat`.
     """
     line = _peek(stat_fd)
     after_name = line.rfind(b")") + 2
@@ -256,14 +277,17 @@ def is_at_work(stat_fd: int) -> bool:
 
 
 def times_scheduled(schedstat_fd: int) -> bytes:
-    """Return the content of a thread's open file `schedstat`, which changes whenever the thread gets a processor."""
+    """Return the content of a thread's file `schedstat`, which changes each time the thread gets a processor.
+
+    `schedstat_fd`: the file's descriptor.
+    """
     return _peek(schedstat_fd)
 
 
 def times_main_thread_ran(pid: int) -> int | None:
-    """Return how often a process's first thread got a processor.
+    """Return the number of times that a process's first thread has got a processor.
 
-    Return None if the process has ended, or the kernel doesn't report it.
+    Return None if the process has exited or if the kernel doesn't report the number.
     """
     try:
         return int(read(f"{thread_folder(pid, str(pid))}/schedstat").split()[2])
@@ -274,13 +298,14 @@ def times_main_thread_ran(pid: int) -> int | None:
 def system_call(syscall_fd: int) -> bytes:
     """Return the number and arguments of the system call that a thread is in.
 
-    The result is empty if the kernel doesn't report it. `syscall_fd`: the thread's open file `syscall`.
+    The result is empty if the kernel doesn't report the call. `syscall_fd`: the descriptor of the thread's file
+    `syscall`.
     """
     return _peek(syscall_fd)
 
 
 def _peek(fd: int) -> bytes:
-    """Return the content of a small open file; empty if its thread has ended."""
+    """Return the content of a small open file, or b"" if the file's thread has finished."""
     try:
         return os.pread(fd, 512, 0)
     except OSError:
@@ -324,12 +349,12 @@ def udp_ports_of(group: Iterable[int]) -> set[int]:
 
 
 def sockets_open(group: Iterable[int]) -> int:
-    """Return how many sockets these processes have open. A shared socket counts once."""
+    """Return the number of sockets that these processes have open. A socket that they share counts once."""
     return len(set().union(*map(_sockets, group)))
 
 
 def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
-    """Return how many sockets all processes have open in this process's network; zero if that's unknown."""
+    """Return the number of open sockets in this process's network namespace, or zero if that's unknown."""
     try:
         return int(read_text(totals).split()[2])  # sockets: used N
     except (OSError, ValueError, IndexError):
@@ -337,10 +362,10 @@ def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
 
 
 def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
-    """Return how many unread bytes this network's UDP and TCP sockets hold.
+    """Return the number of unread bytes in the UDP and TCP sockets of this process's network namespace.
 
-    The kernel has a total for all of the machine's networks, which is fast to read. If that total is at most
-    `worth_counting` bytes, return zero; otherwise, add up this network's sockets.
+    The kernel has a total for all of the machine's network namespaces, which is fast to read. If that total is at most
+    `worth_counting` bytes, return zero. Otherwise, add up the bytes in this namespace's sockets.
     """
     try:
         lines = [line.split() for line in read_text(totals).splitlines()]
@@ -354,10 +379,10 @@ def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
 
 
 def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
-    """Return the names of this machine's Unix sockets, abstract ones with a leading @."""
+    """Return the names of this machine's Unix sockets. The names of abstract sockets begin with @."""
     try:
         rows = [line.split(maxsplit=7) for line in read_text(table).split("\n")[1:]]
-        return {row[7] for row in rows if len(row) == 8}  # some have no name
+        return {row[7] for row in rows if len(row) == 8}  # some sockets have no name
     except OSError:
         return set()
 
@@ -366,7 +391,7 @@ def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
 
 
 def processor_times_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, list[float]]:
-    """Return the times (s) of each processor and their sums ("cpu"), in the columns of proc_stat(5).
+    """Return each processor's times (s), and their sums as "cpu", in the columns of proc_stat(5).
 
     Return {} if `stat` can't be read.
     """
@@ -376,7 +401,7 @@ def processor_times_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, lis
 
 
 def stolen_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, float]:
-    """Return each processor's steal time (s) since the machine started.
+    """Return each processor's steal time since the machine started, in seconds.
 
     Return {} if `stat` can't be read.
     """
@@ -385,9 +410,9 @@ def stolen_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, float]:
 
 
 def idle_and_all_s(stat: str | os.PathLike[str] = PROC_STAT) -> tuple[float, float]:
-    """Return the processors' idle time and their total time (s) since the machine started.
+    """Return the processors' idle time and their total time since the machine started, in seconds.
 
-    Return zeros if they're unknown.
+    Return zeros if these times are unknown.
     """
     times = processor_times_s(stat).get("cpu", [])
     return sum(times[_IDLE]), sum(times[: _STEAL + 1])
@@ -406,7 +431,7 @@ def knows_ids(first: int, count: int) -> bool:
 
 
 def system_v_ipc(table: str) -> list[dict[str, str]]:
-    """Return the rows of /proc/sysvipc/TABLE ("shm", "sem", or "msg"), each keyed by column name.
+    """Return the rows of /proc/sysvipc/TABLE, each keyed by column name. `table` is "shm", "sem", or "msg".
 
     Return an empty list if the kernel has no such table.
     """

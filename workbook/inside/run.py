@@ -1,10 +1,10 @@
-"""Start a file of this folder without loading the rest of the workbook.
+"""Start a file of this folder without loading the rest of the package `workbook`.
 
 The command is `python -P run.py NAME ARGUMENT...`.
 
 Like all other modules, the files in this folder import each other as `workbook.inside.NAME`. This script makes those
-imports work without the package, and removes the modules from `sys.modules` before it calls the file's `main`. So a
-program that this process runs or becomes finds the same modules as without this script.
+imports work without the package. It removes the modules from `sys.modules` before it calls the file's `main`, so that a
+program that runs in this process later doesn't find them there.
 """
 
 import importlib
@@ -18,12 +18,12 @@ PACKAGES = ("workbook", "workbook.inside")
 
 
 class SiblingFinder:
-    """A finder for `sys.meta_path` that finds this folder's files, and empty packages in place of the two real ones."""
+    """A finder for `sys.meta_path`. It finds this folder's files, and empty packages in place of the two real ones."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Return the spec of a file in this folder or of an empty package, as part of the import protocol.
+        """Return the spec of a file in this folder or of an empty package, or None for any other name.
 
-        Return None for all other names.
+        Part of the import protocol.
         """
         if name in PACKAGES:
             return ModuleSpec(name, None, is_package=True)

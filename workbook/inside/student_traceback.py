@@ -1,6 +1,7 @@
-"""Print exceptions as a student would see them without the host: without our frames.
+"""Print exceptions as a student would see them without the host, that is, without our stack frames.
 
-Each exception is a single write, because otherwise, two threads that fail together would mix their lines.
+Each exception is printed in a single write. Otherwise, if two threads failed at the same time, their lines would be
+mixed.
 """
 
 import os
@@ -18,14 +19,14 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 PATIENCE_WITH_THREADS_S = 1.0
 LOOK_EVERY_S = 0.02
 STILL_RUNNING = "Still running:"
-"""The beginning of the line about each thread that keeps a program from ending."""
+"""The beginning of the line about each thread that keeps a program from exiting."""
 
 
 def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary], bool]) -> str:
-    """Format an exception's traceback, including its causes but leaving out frames from files in this folder.
+    """Format an exception's traceback with its causes, but without frames from files in this folder.
 
-    `ends_with_host`: tells whether a given frame is the one that imported the answer. That frame and the frames before
-    it are left out, too.
+    `ends_with_host`: a function that returns whether a frame is the one that imported the answer. That frame and the
+    frames before it are left out, too.
     """
     for raised in _chained(error):
         note = note_of(raised) or note_of_name(raised)
@@ -49,7 +50,7 @@ def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary
 
 
 def _chained(error: BaseException) -> Iterator[BaseException]:
-    """Yield an exception, followed by its causes or contexts."""
+    """Yield an exception, and then its causes or contexts."""
     seen = set[int]()
     one: BaseException | None = error
     while one is not None and id(one) not in seen:
@@ -59,7 +60,7 @@ def _chained(error: BaseException) -> Iterator[BaseException]:
 
 
 def _without_a_head(told: traceback.TracebackException) -> list[str]:
-    """Return the lines without the "Traceback" heading, for an exception that has no frames, such as a SyntaxError.
+    """Format an exception that has no frames, such as a SyntaxError, without the "Traceback" heading.
 
     If the exception has a cause or context, keep the headings.
     """
@@ -69,7 +70,7 @@ def _without_a_head(told: traceback.TracebackException) -> list[str]:
 
 
 def write(text: str) -> None:
-    """Write `text` to standard error, if there is one, after all earlier output."""
+    """Write `text` to standard error, if there is one, after all earlier output has been written."""
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
             stream.flush()
@@ -79,7 +80,7 @@ def write(text: str) -> None:
 
 
 def take_over_threads(show: Callable[[BaseException], str]) -> None:
-    """Print each uncaught exception of a thread with `show` from now on, in a single write."""
+    """From now on, print each uncaught exception of a thread in a single write. `show` formats the exception."""
 
     def hook(arguments: threading.ExceptHookArgs) -> None:
         if arguments.exc_value is None or issubclass(arguments.exc_type, SystemExit):
@@ -91,7 +92,7 @@ def take_over_threads(show: Callable[[BaseException], str]) -> None:
 
 
 def tell_who_stays(path: str) -> None:
-    """Print which threads keep the program at `path` from ending, with each thread's current line in it."""
+    """Print which threads keep the program at `path` from exiting, each with the program's line that it's executing."""
     until = time.monotonic() + PATIENCE_WITH_THREADS_S
     others = [
         one for one in threading.enumerate() if one is not threading.current_thread() and not one.daemon
@@ -100,7 +101,7 @@ def tell_who_stays(path: str) -> None:
         time.sleep(LOOK_EVERY_S)
     frames = sys._current_frames()
     for thread in others:
-        if thread.ident in frames:  # after an interrupted join(), is_alive() returns False
+        if thread.ident in frames:  # not is_alive(), which returns False after an interrupted join()
             write(f"{STILL_RUNNING} {thread.name}{_line_of(frames[thread.ident], path)}\n")
 
 

@@ -1,9 +1,10 @@
-"""Run a command, and then end all its leftover processes.
+"""Run a command, and then kill all its leftover processes.
 
     python -I -S run.py subreaper PARENT COMMAND...
 
-This process ends them when the command or the process PARENT ends, even if PARENT is killed. A bubblewrap sandbox also
-ends with its owner, except while it's starting. If the owner were killed then, the sandbox would stay forever.
+This process kills them when the command or the process PARENT exits, even if PARENT is killed. The command is usually a
+bubblewrap sandbox, which is removed by itself when its owner exits. But if the owner is killed while the sandbox is
+starting, only this process keeps the sandbox from staying forever.
 """
 
 import os
@@ -15,13 +16,16 @@ from workbook.inside.libc import set_parent_death_signal
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 
 HEARD = {signal.SIGTERM, signal.SIGCHLD, signal.SIGINT}
-"""The signals that this process waits for. It ignores SIGINT, which the command handles, and ends after the command."""
+"""The signals that this process waits for.
+
+It ignores SIGINT, because the command handles that signal. This process exits after the command does.
+"""
 
 
 def run_and_reap(parent: int, command: list[str]) -> int:
-    """Run `command` until it or the process `parent` ends, and end all leftover processes.
+    """Run `command` until it or the process `parent` exits, and kill all leftover processes.
 
-    Return the command's exit code, as `os.waitstatus_to_exitcode` does; -9 if `parent` ended first.
+    Return the command's exit code as `os.waitstatus_to_exitcode` does, or -9 if `parent` exited first.
     """
     signal.pthread_sigmask(signal.SIG_BLOCK, HEARD)
     adopt_orphans()
@@ -43,7 +47,7 @@ def run_and_reap(parent: int, command: list[str]) -> int:
 
 
 def end_alike(code: int) -> None:
-    """End this process like the command: with the same exit code, or by the same signal (a negative code)."""
+    """Exit as the command did: with the same exit code, or through the same signal if the code is negative."""
     if code < 0:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         signal.pthread_sigmask(signal.SIG_UNBLOCK, HEARD)
@@ -54,6 +58,6 @@ def end_alike(code: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Run the command with the arguments described above, and end like it."""
+    """Run the command from the arguments that the module's docstring describes, and exit as the command does."""
     parent, *command = arguments
     end_alike(run_and_reap(int(parent), command))

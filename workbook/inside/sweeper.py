@@ -1,7 +1,8 @@
-"""Kill every process of a user id: `python -I -S run.py sweeper ID OWN_ID`, as root.
+"""Kill every process of a user ID: `python -I -S run.py sweeper ID OWN_ID`, as root.
 
-This process acts with the programs' user ID, so one call of `kill` reaches all of them, and none can escape by forking.
-Its real user ID is a different one, so no program may signal this process.
+Programs run under the user ID. This process takes it as its effective user ID, so one call of `kill` reaches all of the
+programs, and none of them can escape by forking. This process's real user ID is OWN_ID, so the programs may not send it
+signals.
 """
 
 import os
@@ -19,7 +20,7 @@ have only 65536 IDs.
 
 
 def is_ours(user: int) -> bool:
-    """Return whether a user ID is in the ranges for running programs."""
+    """Return whether a user ID is in one of the ranges for running programs."""
     return any(first <= user < first + count for first, count in RANGES)
 
 
@@ -41,7 +42,7 @@ def act_as(user: int, own: int) -> None:
 
 
 def end_all(user: int, own: int) -> None:
-    """Kill every process of `user`, after changing this process's user IDs permanently. Raises PermissionError."""
+    """Change this process's user IDs permanently, and then kill every process of `user`. Raises PermissionError."""
     act_as(user, own)
     try:
         os.kill(-1, signal.SIGKILL)
@@ -50,7 +51,10 @@ def end_all(user: int, own: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Kill every process of a user. The arguments are that user's ID and our own. On failure, exit with a message."""
+    """Kill every process of a user.
+
+    The arguments are that user's ID and our own ID. On failure, exit with a message.
+    """
     try:
         end_all(int(arguments[0]), int(arguments[1]))
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Refuse system calls permanently, with seccomp filters for untrusted programs."""
+"""Refuse system calls of untrusted programs permanently, using the Linux kernel's seccomp filters."""
 
 import ctypes
 import errno
@@ -73,9 +73,12 @@ UNCOUNTED_MEMORY = {
     "memfd_create": 319,
     "memfd_secret": 447,
 }
-"""Calls that use memory that no limit counts: no process holds it, or it remains after a process has unmapped it."""
+"""Calls that use memory that no limit counts.
+
+Such memory belongs to no process, or it stays allocated after a process has unmapped it.
+"""
 NEWS_OF_FILES = {"inotify_init": 253, "inotify_init1": 294, "fanotify_init": 300}
-"""Calls that would tell any sandbox that sees a file when another process opens that file."""
+"""Calls that would report to a program when another process opens a file that both can see."""
 LOCKS = {"flock": 73}
 OF_ONE_PROCESS = {"prlimit64": 302}
 SCHEDULING_OF_ONE = {
@@ -84,11 +87,11 @@ SCHEDULING_OF_ONE = {
     "sched_setaffinity": 203,
     "sched_setattr": 314,
 }
-"""Calls whose first argument is the ID of the process that they change; zero means the caller itself."""
+"""Calls whose first argument is the ID of the process that they change. Zero means the caller itself."""
 SETPRIORITY, IOPRIO_SET = 141, 251
 MMAP, SOCKET, SOCKETPAIR, SETSOCKOPT, FCNTL = 9, 41, 53, 54, 72
 FAMILIES = {"AF_UNIX": 1, "AF_INET": 2, "AF_INET6": 10, "AF_NETLINK": 16}
-"""The socket families that a node needs. With others, such as AF_VSOCK, a program could reach other systems."""
+"""The socket families that a node needs. With other families, such as AF_VSOCK, a program could reach other systems."""
 MAP_SHARED, MAP_ANONYMOUS = 0x01, 0x20
 SOL_SOCKET = 1
 SEND_BUFFERS = {"SO_SNDBUF": 7, "SO_SNDBUFFORCE": 32}
@@ -103,7 +106,10 @@ FILE_LOCKS = {
     "F_NOTIFY": 1026,
 }
 PIPE_SIZE = {"F_SETPIPE_SZ": 1031}
-"""All of a user's pipes share one limit on their size. Beyond it, other answers' pipes hold only a page or two."""
+"""All of a user's pipes share one limit on their total size.
+
+If one answer used it up, other answers' new pipes would have room for only a page or two.
+"""
 PERMISSIONS = {"chmod": 90, "fchmod": 91, "fchmodat": 268, "fchmodat2": 452}
 OWNERS = {"chown": 92, "fchown": 93, "lchown": 94, "fchownat": 260}
 TIMES = {"utime": 132, "utimes": 235, "futimesat": 261, "utimensat": 280}
@@ -121,7 +127,7 @@ ATTRIBUTES = {
 
 
 Step = tuple[int, int, int, int]
-"""One filter step: the operation, how many steps to jump if its test succeeds or fails, and a number."""
+"""One filter step: the operation, the numbers of steps to skip if its test succeeds or fails, and a value."""
 STEP_BYTES = 8
 
 
@@ -130,15 +136,15 @@ class _Filter(ctypes.Structure):
 
 
 def knows_this_machine() -> bool:
-    """Return whether the system call filter supports this type of machine."""
+    """Return whether the system call filter supports this machine's architecture."""
     return os.uname().machine == "x86_64" and sys.maxsize > 2**32
 
 
 def filter_problem() -> str:
-    """Return why no system call filter can be installed on this machine, as a clause; empty if one can.
+    """Return why no system call filter can be installed on this machine, as a clause, or "" if one can.
 
-    A kernel that lets this process install a filter begins by reading the filter. We pass a null pointer, so reading
-    fails with EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
+    To test that, we pass a null pointer as the filter. If the kernel lets this process install a filter, it tries to
+    read the filter, which fails with EFAULT. Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
     """
     if not knows_this_machine():
         return f"the filter does not know the system calls of this machine ({os.uname().machine})"
@@ -148,14 +154,14 @@ def filter_problem() -> str:
 
 
 def one_of(argument: int, values: Iterable[int]) -> list[Step]:
-    """Return steps that continue if this argument is one of the values, and otherwise allow the call."""
+    """Return steps that continue if the call's argument is one of the values, and otherwise allow the call."""
     jumps = [*values]
     tests = [(BPF_JUMP_IF_EQUAL, len(jumps) - i, 0, value) for i, value in enumerate(jumps)]
     return [_load(argument), *tests, (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
 
 
 def none_of(argument: int, values: Iterable[int]) -> list[Step]:
-    """Return steps that continue if this argument is none of the values, and otherwise allow the call."""
+    """Return steps that continue if the call's argument is none of the values, and otherwise allow the call."""
     steps = [_load(argument)]
     for value in values:
         steps += [(BPF_JUMP_IF_EQUAL, 0, 1, value), (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
@@ -163,7 +169,7 @@ def none_of(argument: int, values: Iterable[int]) -> list[Step]:
 
 
 def all_bits(argument: int, *bits: int) -> list[Step]:
-    """Return steps that continue if all these bits of this argument are set, and otherwise allow the call."""
+    """Return steps that continue if all these bits of the call's argument are set, and otherwise allow the call."""
     steps = [_load(argument)]
     for bit in bits:
         steps += [(BPF_JUMP_IF_ANY_BIT, 1, 0, bit), (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
@@ -171,7 +177,7 @@ def all_bits(argument: int, *bits: int) -> list[Step]:
 
 
 def not_zero(*arguments: int) -> list[Step]:
-    """Return steps that continue if at least one of these arguments isn't zero, and otherwise allow the call."""
+    """Return steps that continue if at least one of the call's arguments isn't zero, and otherwise allow the call."""
     steps: list[Step] = []
     for position, argument in enumerate(arguments):
         behind = 2 * (len(arguments) - position) - 1
@@ -180,17 +186,18 @@ def not_zero(*arguments: int) -> list[Step]:
 
 
 def _load(argument: int) -> Step:
-    """Return a step that loads an argument's lower half.
+    """Return a step that loads the lower half of a call's argument.
 
-    For the arguments that we test, the kernel ignores the upper half.
+    That's enough, because the kernel ignores the upper half of the arguments that we test.
     """
     return (BPF_LOAD_WORD, 0, 0, 16 + 8 * argument)
 
 
 def case(number: int, error: int, *conditions: list[Step]) -> list[Step]:
-    """Return steps that make the system call `number` fail with `error`; with 0, it does nothing and reports success.
+    """Return steps that make the system call `number` fail with `error`.
 
-    If there are `conditions`, such as from `one_of`, the steps apply only if all of them are true.
+    If `error` is 0, the call does nothing and reports success. If there are `conditions`, such as from `one_of`, the
+    steps apply only if all conditions are true.
     """
     body = [step for condition in conditions for step in condition]
     body.append((BPF_RETURN, 0, 0, SECCOMP_ERRNO | error))
@@ -202,8 +209,8 @@ def compiled(
 ) -> bytes:
     """Return a filter in the kernel's binary format, for `install` or for bubblewrap.
 
-    The system calls with the numbers in `refused` fail with EPERM. Those in `without_effect` do nothing and report
-    success. `cases`: the rules for further calls (see `case`), at most one per number.
+    The system calls with the numbers in `refused` fail with EPERM. The calls in `without_effect` do nothing and report
+    success. `cases`: the rules for further calls (see `case`), at most one for each number.
     """
     steps: list[Step] = [
         (BPF_LOAD_WORD, 0, 0, 4),  # the architecture
@@ -222,9 +229,9 @@ def compiled(
 
 
 def install(program: bytes) -> None:
-    """Install a filter from `compiled` as the system call filter of this thread and its descendants.
+    """Install a filter from `compiled` for this thread and its descendants.
 
-    Call `drop_capabilities` or `forbid_new_rights` first. Raises OSError if the kernel has no such filters.
+    Call `drop_capabilities` or `forbid_new_rights` first. Raises OSError if the kernel doesn't support such filters.
     """
     code = ctypes.create_string_buffer(program, len(program))
     steps = _Filter(len(program) // STEP_BYTES, ctypes.addressof(code))
@@ -234,8 +241,8 @@ def install(program: bytes) -> None:
 def bounded_memory() -> list[list[Step]]:
     """Return cases for `compiled` that, together with UNCOUNTED_MEMORY, block memory that isn't counted.
 
-    Shared memory without a file stays allocated as a whole while one of its pages is mapped. Unread bytes in a socket
-    use memory up to the size of the sender's buffer, which therefore stays at the machine's default.
+    Shared memory without a file stays allocated as a whole as long as one of its pages is mapped. Unread bytes in a
+    socket can use as much memory as the sender's buffer is large, so programs can't change the buffer's size.
     """
     families = FAMILIES.values()
     return [
@@ -249,8 +256,9 @@ def bounded_memory() -> list[list[Step]]:
 def others_left_alone() -> list[list[Step]]:
     """Return cases for `compiled` that keep a program from changing other processes' limits and priorities.
 
-    These processes may belong to the same user, so a program could stop its judge by taking away the judge's CPU time.
-    Libraries set their threads' scheduling by thread ID, so those calls do nothing and report success.
+    Those processes may belong to the same user, so a program could stop its judge by reducing the judge's CPU time.
+    Libraries set the scheduling of their own threads by thread ID, so these calls must not fail: they do nothing and
+    report success.
     """
     limits = [case(number, errno.EPERM, not_zero(0)) for number in OF_ONE_PROCESS.values()]
     scheduling = [case(number, 0, not_zero(0)) for number in SCHEDULING_OF_ONE.values()]
@@ -263,12 +271,12 @@ def others_left_alone() -> list[list[Step]]:
 
 
 def against_sandbox_escapes() -> bytes | None:
-    """Compile a filter of calls that programs could use to escape from sandboxes, to communicate, or to hide memory.
+    """Compile a filter for calls with which programs could escape from sandboxes, communicate, or use uncounted memory.
 
-    Sandboxes share the interpreter's files, so no program may lock or watch a file. A sandbox also shares the machine's
-    devices, which belong to root. If we run as root, an answer could change the devices' permissions and times, so the
-    calls for that do nothing and report success. Return None if no filter can be installed; `filter_problem` gives the
-    reason.
+    Sandboxes share the interpreter's files, so programs could communicate by locking or watching them. Therefore, no
+    program may lock or watch a file. Sandboxes also share the machine's devices, which belong to root. If we run as
+    root, an answer could change the devices' permissions and times, so the calls for that do nothing and report
+    success. Return None if no filter can be installed. `filter_problem` returns the reason.
     """
     if filter_problem():
         return None
@@ -284,10 +292,10 @@ def against_sandbox_escapes() -> bytes | None:
 
 
 def filter_sandbox_escapes() -> None:
-    """Install the filter from `against_sandbox_escapes` permanently. Raises OSError.
+    """Install the filter from `against_sandbox_escapes` permanently. Raises OSError on failure.
 
-    If `filter_problem` gives a reason, no filter is installed, and the answer's result reports that. The filter is a
-    second line of defense behind the sandbox's namespaces.
+    If `filter_problem` returns a reason, no filter is installed, and the answer's result reports that. The filter is
+    only a second line of defense behind the sandbox's namespaces.
     """
     program = against_sandbox_escapes()
     if program is not None:
@@ -297,8 +305,7 @@ def filter_sandbox_escapes() -> None:
 def filter_permission_changes() -> None:
     """Block calls that change files' permissions, owners, or times, affect processes, or use uncounted memory.
 
-    Calls that change permissions, owners, or times report success, so that copying a file causes no error. Raises
-    OSError.
+    Calls that change permissions, owners, or times report success, so that copying a file doesn't fail. Raises OSError.
     """
     refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE)
     unchanged = numbers(PERMISSIONS, OWNERS, TIMES, ATTRIBUTES)
@@ -307,9 +314,9 @@ def filter_permission_changes() -> None:
 
 
 def filter_uncounted_memory() -> None:
-    """Block the calls that use memory that no limit counts. Raises OSError.
+    """Block the calls that use memory that no limit counts. Raises OSError on failure.
 
-    If `filter_problem` gives a reason, no filter is installed, and the answer's result reports that.
+    If `filter_problem` returns a reason, no filter is installed, and the answer's result reports that.
     """
     if filter_problem():
         return

@@ -1,8 +1,9 @@
-"""Report this process's messages and responses to the panel next to the notebook, while a panel is open.
+"""Report this process's messages and responses to the panel next to the notebook while the panel is open.
 
-The panel must not subscribe, because lessons count subscriptions, wait for them, and show that earlier messages are
-lost. So each of a notebook's processes reports its own messages on an abstract Unix socket named after the ROS domain.
-Without a panel, no process listens there, and each message costs only a check of the clock.
+The panel must not subscribe to topics, because its subscriptions would disturb lessons that count subscriptions, wait
+for them, or show that earlier messages are lost. Instead, each of a notebook's processes reports its own messages on an
+abstract Unix socket whose name contains the ROS domain. If no panel listens there, each message costs only a check of
+the clock.
 """
 
 import json
@@ -14,17 +15,20 @@ from typing import Any
 ADDRESS = "\0rclpy-workbook/panel/{}"
 FORGOTTEN = ("/rosout", "/parameter_events")
 OF_EACH_NODE = ("rcl_interfaces/", "type_description_interfaces/")
-"""The packages of the services that every node offers."""
+"""The beginnings of the type names of services that every node offers."""
 LOOK_EVERY_S = 0.5
-"""How often (s) to check whether a panel listens."""
+"""The time (s) between two checks whether a panel is listening."""
 AT_ONCE, PER_SECOND = 50, 25
-"""The most messages of a publisher to report in full: in a burst, and then per second. All messages are counted."""
+"""The maximum number of a publisher's messages to report, in a burst and then per second. All messages are counted."""
 LONGEST = 100_000
-"""The size (bytes) up to which a message is reported in full. For a longer one, only its arrival is reported."""
+"""The maximum size (bytes) of a message whose content is reported.
+
+For a larger one, the report contains only the size.
+"""
 
 
 class _Publisher:
-    """The tap's data about one publisher or service."""
+    """What the tap stores about one publisher or service."""
 
     def __init__(self, topic: str, type_name: str) -> None:
         self.topic = topic
@@ -34,7 +38,7 @@ class _Publisher:
         self.counted_at = 0.0
 
     def may_report(self, now: float) -> bool:
-        """Count a message sent at `now` (`time.monotonic`, s), and return whether it may be reported in full."""
+        """Count a message sent at `now` (`time.monotonic`, s), and return whether it may be reported."""
         self.unreported += 1
         self.allowance = min(AT_ONCE, self.allowance + PER_SECOND * (now - self.counted_at))
         self.counted_at = now
@@ -42,7 +46,7 @@ class _Publisher:
 
 
 class Tap:
-    """Reports the messages of this process to the panel of a ROS domain."""
+    """Reports messages and responses from this process to the panel for a ROS domain."""
 
     def __init__(self, domain_id: int) -> None:
         self.address = ADDRESS.format(domain_id)
@@ -50,18 +54,22 @@ class Tap:
         self._looked = -LOOK_EVERY_S
 
     def published(self, publisher: Any, message: Any) -> None:
-        """Report a published message. Suppress all exceptions, so that the program isn't affected."""
+        """Report a published message.
+
+        Suppress all exceptions, so that an error in the tap doesn't affect the program.
+        """
         try:
             now = time.monotonic()
             kept = publisher.__dict__.get("_workbook_tap") or _known_publisher(publisher)
-            # Topic first: after a failed check for a node's own event, the next message wouldn't be reported.
+            # Check the topic first. Otherwise, a failed check for one of the node's own events would delay the next
+            # check, and the next message wouldn't be reported.
             if kept.topic not in FORGOTTEN and self._listens(now):
                 self._report(kept, message, now)
         except Exception:
             self._socket = None
 
     def responded(self, service: Any, response: Any) -> None:
-        """Report a service's response, like a message on a topic with the service's name."""
+        """Report a service's response as if it were a message on a topic with the service's name."""
         try:
             now = time.monotonic()
             kept = service.__dict__.get("_workbook_tap") or _known_service(service)
@@ -91,7 +99,7 @@ class Tap:
         try:
             assert self._socket is not None
             self._socket.send(head + b"\n" + (data if len(data) <= LONGEST else b""))
-        except BlockingIOError:  # the panel is busy, so the next report counts this message
+        except BlockingIOError:  # the panel is busy, so the next report counts this message, too
             return
         kept.unreported = 0
 

@@ -1,10 +1,10 @@
-"""Try everything that an untrusted program must not be able to do, and publish the results.
+"""Try everything that an untrusted program must not be able to do in an isolation tier, and publish the results.
 
     tier_probe.py FILE PID PORT
 
-The tier runs this file like an answer, so it needs only rclpy. FILE must not be readable for it, and the process PID
-must not accept its signals. PORT is a TCP port on which a process of this machine listens. The results are published
-repeatedly on /tier_probe, as a String that contains JSON.
+The tier runs this file as it runs an answer, so the file imports only rclpy. FILE is a file that it must not be able to
+read, and PID is a process that it must not be able to signal. PORT is a TCP port on which a process of this machine
+listens. The results are published repeatedly on /tier_probe, as a String that contains JSON.
 """
 
 import json
@@ -18,7 +18,7 @@ from std_msgs.msg import String
 
 
 def works(attempt: Callable[[], object]) -> bool:
-    """Return whether calling `attempt` succeeds, that is, doesn't raise OSError."""
+    """Return whether calling `attempt` succeeds, that is, whether it doesn't raise OSError."""
     try:
         attempt()
     except OSError:
@@ -27,7 +27,7 @@ def works(attempt: Callable[[], object]) -> bool:
 
 
 def findings(file: str, pid: int, port: int) -> dict[str, object]:
-    """Return what this process can do, and its user and group IDs, by name."""
+    """Return, by name, whether this process can do each of the forbidden actions, and its user and group IDs."""
     with open("/proc/self/status") as status:
         facts = dict(line.split(":", 1) for line in status)
     beside = os.path.join(os.path.dirname(__file__), "beside")
