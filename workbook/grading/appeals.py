@@ -1,10 +1,10 @@
-"""After appeals, store the marks that a person changed in overrides.jsonl, and apply them to all exports.
+"""Change marks after appeals: store the changes in overrides.jsonl, and apply them to all exports.
 
-The imported file has these columns:
+The changes are imported from a CSV file with these columns:
 
     student,exercise,criterion,points,reason,who
 
-Empty points undo an earlier change.
+If `points` is empty, the line undoes an earlier change.
 """
 
 import csv
@@ -24,13 +24,19 @@ from workbook.recording.codec import decode, encode
 OVERRIDES = "overrides.jsonl"
 COLUMNS = ("student", "exercise", "criterion", "points", "reason", "who")
 TOTAL = "total"
-"""The criterion name for a change to the whole score. It also works for an answer that couldn't be judged."""
+"""The criterion name for a change to the whole score.
+
+An answer that couldn't be judged can get a score in this way, too.
+"""
 FIX = "Correct the line and run the command again; nothing in this file was applied"
 
 
 @dataclass(frozen=True)
 class OverrideLine:
-    """One line of an imported file, not yet validated. `points` is None if the line undoes a change."""
+    """One line of an imported file, which hasn't been matched to a result yet.
+
+    `points` is None if the line undoes an earlier change.
+    """
 
     where: str
     student: str
@@ -44,7 +50,7 @@ class OverrideLine:
 def read_lines(path: Path) -> list[OverrideLine]:
     """Read the lines of a CSV file, skipping a header if there is one.
 
-    Raises BadOption, with the line's number.
+    Raises BadOption, whose message gives the line's number, if a line is invalid.
     """
     lines: list[OverrideLine] = []
     try:
@@ -82,7 +88,7 @@ def _line(where: str, student: str, cells: Sequence[str]) -> OverrideLine:
 
 
 def fit(lines: Sequence[OverrideLine], results: Mapping[StudentAndExercise, Result]) -> list[Override]:
-    """Match the lines with the results, and return the changes to make.
+    """Match the lines to the results, and return the changes to make.
 
     Raises BadOption for the first line that doesn't match. In that case, none of the lines is applied.
     """
@@ -137,7 +143,7 @@ def _is_called(student: str, name: str) -> bool:
 
 
 def _most(result: Result, criterion: str) -> float | None:
-    """Return the most points that a criterion gives in this result; None if the result doesn't have this criterion."""
+    """Return the maximum points for a criterion in this result, or None if the result doesn't have this criterion."""
     if criterion == TOTAL:
         return result.max_score
     return next((one.max_points for one in result.criteria if one.id == criterion), None)
@@ -147,7 +153,10 @@ def _most(result: Result, criterion: str) -> float | None:
 
 
 def keep(out: Path, changes: Iterable[Override]) -> None:
-    """Append changes to the file in the folder `out`. For each key (`Override.key`), only the last change counts."""
+    """Append changes to overrides.jsonl in the folder `out`.
+
+    For each key (`Override.key`), only the last change counts.
+    """
     with (out / OVERRIDES).open("a", encoding="utf-8") as file:
         for change in changes:
             file.write(json.dumps(encode(change), allow_nan=False, ensure_ascii=True) + "\n")
@@ -156,7 +165,7 @@ def keep(out: Path, changes: Iterable[Override]) -> None:
 
 
 def kept(out: Path) -> list[Override]:
-    """Return the stored changes, except those that were undone. Raises BadOption for an invalid line."""
+    """Return the stored changes, except those that have been undone. Raises BadOption if a line is invalid."""
     path = out / OVERRIDES
     found: dict[tuple[str, str, str], Override] = {}
     if not path.is_file():
@@ -178,7 +187,7 @@ def kept(out: Path) -> list[Override]:
 def with_changes(results: Iterable[Result], changes: Iterable[Override]) -> list[Result]:
     """Apply the changes, and return the new results.
 
-    A change is applied only if it was made for the current answer, and if its criterion still gives that many points.
+    A change is applied only if it was made for the current answer and its points don't exceed the criterion's maximum.
     """
     by_key: dict[StudentAndExercise, list[Override]] = {}
     for change in changes:
@@ -193,7 +202,7 @@ def with_changes(results: Iterable[Result], changes: Iterable[Override]) -> list
 
 
 def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
-    """Return a sentence for each saved change that no longer applies, because its answer or criterion has changed."""
+    """Return a sentence for each stored change that isn't applied, because its answer or criterion has changed."""
     said = []
     for one in changes:
         result = results.get((one.student, one.exercise))
@@ -213,7 +222,7 @@ def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterab
 def deductions(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
     """Return a sentence for each change that gives a student fewer points than the judge does.
 
-    When a criterion is corrected later, a change that was generous before may take points away.
+    This happens if the change raised the points and the criterion was corrected later.
     """
     said = []
     for one in changes:

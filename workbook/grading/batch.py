@@ -1,6 +1,6 @@
-"""Grade a folder of answers on several slots.
+"""Grade a folder of answers on several slots, which are processes that judge answers.
 
-The run finds the answers, skips those already judged, judges the rest, and stores the results.
+A run finds the answers, skips those that have already been judged, judges the others, and stores the results.
 """
 
 import hashlib
@@ -27,17 +27,17 @@ from workbook.grading.skipped import about_skipped, find_skipped
 from workbook.grading.slots.pool import STOPPED_JUDGE
 
 UNREADABLE = "unreadable"
-"""Stored as the submission time if a timestamp.txt exists but can't be read."""
+"""Stored instead of the submission time if a timestamp.txt exists but can't be read."""
 WRITTEN = tuple((name,) for name in ("recordings", PAGES, "gradescope"))
-"""The folders that grading creates next to the results. Each is given as the first part of a path."""
+"""The folders that a run creates next to the results, each as the tuple of its path's parts."""
 
 
 @dataclass(frozen=True)
 class BatchProgress:
-    """A batch's progress.
+    """The progress of a run.
 
-    `kept`: how many answers an earlier run had judged. `left_s`: the estimated time left, in seconds; None until an
-    answer was judged.
+    `kept`: the number of answers that an earlier run had judged. `left_s`: the estimated time left, in seconds, or None
+    until the first answer has been judged.
     """
 
     done: int
@@ -53,10 +53,10 @@ class BatchSummary:
     """The outcome of one run over a folder of answers.
 
     `results`: the results of the answers under this run's paths. `everything`: all current results in the folder, keyed
-    by student and exercise. This run judged `judged` answers in `seconds`; earlier runs had judged the `kept` ones.
-    `frozen`: how many of the kept answers were judged with other criteria than today's. `broken`: lines of
-    results.jsonl that aren't results. `remarks`: sentences about skipped files, unused aliases, and students without a
-    hand-in.
+    by student and exercise. `judged`: the number of answers that this run judged, in `seconds`. `kept`: the number of
+    answers that earlier runs had judged. `frozen`: the number of kept answers that were judged with criteria that have
+    changed since. `broken`: lines of results.jsonl that aren't valid results. `remarks`: sentences about skipped files,
+    unused aliases, and students without a hand-in.
     """
 
     results: tuple[Result, ...]
@@ -71,10 +71,10 @@ class BatchSummary:
 
 
 def _submitted_at(hand_in: HandIn) -> str | None:
-    """Return the text of the outermost `timestamp.txt` above an answer, within the student's folder.
+    """Return the content of the outermost `timestamp.txt` above an answer, within the student's folder.
 
-    Files with that name further down are the student's own. Return None if no such file exists, and UNREADABLE if the
-    outermost one can't be read.
+    Only the outermost file counts, because files with that name further down are the student's own. Return None if
+    there is no such file, and UNREADABLE if the outermost one can't be read.
     """
     depth = max(1, len(Path(hand_in.label).parts) - 1)
     for folder in reversed([*hand_in.path.parents][:depth]):
@@ -91,7 +91,7 @@ def _submitted_at(hand_in: HandIn) -> str | None:
 
 
 def _file_sha(path: Path) -> str:
-    """Return the SHA-256 of a file that couldn't be judged; empty if it isn't a file or is too large."""
+    """Return the SHA-256 of a hand-in that couldn't be judged, or "" if it isn't a file or is too large."""
     try:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return ""
@@ -102,10 +102,11 @@ def _file_sha(path: Path) -> str:
 
 
 class Batch:
-    """Grades one exercise's hand-ins into the folder `out`. A run can be killed and started again at any time.
+    """Grades one exercise's hand-ins, and writes the results to the folder `out`.
 
-    `retry_stopped`: whether to judge an unchanged answer again if it stopped the judge in an earlier run. `seed`: the
-    seed of the random values that the judge sends to answers; None draws a new seed for each try.
+    A run can be killed and started again at any time. `retry_stopped`: whether to judge an unchanged answer again if it
+    made the judge fail in an earlier run. `seed`: the seed of the random values that the judge sends to answers, or
+    None for a new seed in each try.
     """
 
     def __init__(
@@ -126,11 +127,11 @@ class Batch:
         self._roster = roster or Roster()
 
     def hand_ins(self, paths: Sequence[Path]) -> list[HandIn]:
-        """Return the hand-ins under `paths`, with the roster's names for the students."""
+        """Return the hand-ins under `paths`, with the students' names from the roster."""
         return self._roster.hand_ins(self._found(paths))
 
     def check_paths(self, paths: Sequence[Path]) -> None:
-        """Raise BadOption if there's no hand-in under `paths`."""
+        """Raise BadOption if there is no hand-in under `paths`."""
         if not self._found(paths):
             places = ", ".join(map(str, paths))
             remarks = about_skipped(find_skipped(paths))
@@ -141,9 +142,9 @@ class Batch:
         return [one for one in found if not self._is_ours(one.path)]
 
     def _is_ours(self, path: Path) -> bool:
-        """Return whether grading itself wrote this file or folder.
+        """Return whether this file or folder was written by a run.
 
-        This can happen because the folder `out` may be inside the folder of answers.
+        The search for answers finds such files if the folder `out` is inside the folder with the answers.
         """
         path, out = path.resolve(), self._out.resolve()
         if path.is_dir() and (path == out or (path / RESULTS).is_file()):
@@ -157,7 +158,7 @@ class Batch:
         )
 
     def _correct_times(self, hand_ins: Sequence[HandIn], file: ResultsFile) -> None:
-        """Store changed submission times for answers that were already judged, without judging them again."""
+        """Store the changed submission times of answers that have already been judged, without judging them again."""
         known = last_results(self._out / RESULTS)
         for hand_in in hand_ins:
             result = known.get((hand_in.student, self._exercise.stem))
@@ -165,7 +166,7 @@ class Batch:
                 file.append(replace(result, submitted_at=moment))
 
     def _note(self, paths: Sequence[Path], hand_ins: Sequence[HandIn]) -> None:
-        """Store which students have handed in an answer. The list is complete only if all paths are folders."""
+        """Store which students have handed in an answer. The list counts as complete only if all paths are folders."""
         students = [one.student for one in hand_ins]
         note(self._out, self._exercise.stem, students, whole=all(path.is_dir() for path in paths))
 
@@ -175,7 +176,7 @@ class Batch:
         everything: Iterable[StudentAndExercise],
         mine: Container[StudentAndExercise],
     ) -> Iterator[str]:
-        """Yield a sentence about students with a result but no hand-in, if all `paths` are folders."""
+        """If all `paths` are folders, yield a sentence about the students who have a result but no hand-in."""
         left = sorted(key[0] for key in everything if key[1] == self._exercise.stem and key not in mine)
         if left and all(path.is_dir() for path in paths):
             what = "1 earlier result has" if len(left) == 1 else f"{len(left)} earlier results have"
@@ -190,11 +191,10 @@ class Batch:
         progress: Callable[[BatchProgress], None] = lambda _: None,
         stop: Callable[[], bool] = lambda: False,
     ) -> BatchSummary:
-        """Grade everything under `paths` that is new or changed.
+        """Grade all hand-ins under `paths` that are new or have changed.
 
-        Call `progress` after each answer, and `stop` before each new one; end the run early if `stop` returns True.
-        Raises FileNotFoundError for a path that doesn't exist, and FolderInUse if another run writes to the same
-        folder.
+        Call `progress` after each answer, and `stop` before each new one. If `stop` returns True, stop early. Raises
+        FileNotFoundError if a path doesn't exist, and FolderInUse if another run is writing to the same folder.
         """
         found = self._found(paths)
         hand_ins = self._roster.hand_ins(found)
@@ -257,7 +257,10 @@ class _BatchRun:
         return time.monotonic() - self._began
 
     def refuse_or_keep(self, hand_ins: Sequence[HandIn]) -> list[Job[HandIn]]:
-        """Record answers that can't be judged, and skip those judged earlier. Return the answers to judge now."""
+        """Record the answers that can't be judged, and skip those that an earlier run judged.
+
+        Return the answers to judge now.
+        """
         jobs: list[Job[HandIn]] = []
         self.total = len(hand_ins)
         for hand_in in hand_ins:
@@ -277,7 +280,7 @@ class _BatchRun:
         return jobs
 
     def judged(self, job: Job[HandIn], tries: Sequence[Judgement]) -> None:
-        """Record the result of an answer that was just judged."""
+        """Record the result of an answer that has just been judged."""
         self._add(
             graded_result(self._submission(job.key, job.answer.sha256, job.answer.note), tries, self._by)
         )
@@ -290,7 +293,7 @@ class _BatchRun:
     def _keep(self, student: str, sha256: str) -> bool:
         """Return whether an earlier run judged this exact answer, and if so, count it as kept.
 
-        The criteria may have changed since then, but a mark changes only on request (`--regrade`).
+        It's kept even if the criteria have changed since then, because marks change only on request (`--regrade`).
         """
         known = self._earlier.get(student)
         kept = (

@@ -1,4 +1,4 @@
-"""Define `Override`, a person's change to a mark, as it's stored and as a result describes it."""
+"""Define `Override`, a person's change to a mark, as it's stored in overrides.jsonl and described in a result."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -9,10 +9,10 @@ from workbook.recording.codec import NOT_STORED, UNKNOWN_FIELDS
 
 @dataclass(frozen=True)
 class Override:
-    """A change to a mark: `who` gave an answer `points` for a criterion, for a `reason`.
+    """A change to a mark: `who` gave an answer `points` for a criterion and stated a `reason`.
 
-    `points` is None if the line undoes an earlier change. `answer_sha256` identifies the only answer that the change
-    applies to. `before` (the earlier points) and `title` come from the result, and aren't stored.
+    `points` is None if this change undoes an earlier one. `answer_sha256` identifies the only answer to which the
+    change applies. `before` (the points before the change) and `title` come from the result and aren't stored.
     """
 
     student: str

@@ -1,6 +1,7 @@
-"""Render the class on one page: marks, common failures and causes, and a map with links to the students' pages.
+"""Render a page about the class: marks, common failures and their causes, and a map with links to the students' pages.
 
-The page is one file. Its content security policy allows only one script, which sorts and filters the map.
+The map is a table with a row for each student and a column for each criterion. The page is a single file. Its content
+security policy allows only one script, which sorts and filters the map.
 """
 
 import base64
@@ -26,7 +27,7 @@ SLOWEST = 5
 CAUSES = 8
 SIGHTS = 3
 MOST_STUDENTS = 3000
-"""The most students on the map. Browsers are slow to show more cells."""
+"""The maximum number of students on the map. With more cells, browsers would be slow."""
 GROUNDS = {
     "passed": tint("passed"),
     "partial": tint("partial", 0.4),
@@ -35,7 +36,7 @@ GROUNDS = {
 }
 _SCRIPT = Path(__file__).parent / "templates" / "class.js"
 _FIGURE = Path(__file__).parents[1] / "lab" / "front_end" / "panel" / "figure.json"
-"""The robot's shapes, as data, because importing Matplotlib to draw them would slow grading down."""
+"""The robot's shapes as data. Drawing them with Matplotlib would slow grading down, because importing it takes time."""
 _NUMBER = re.compile(r"\d+(\.\d+)?")
 
 
@@ -115,7 +116,7 @@ def _isolation(rows: Sequence[Result]) -> str:
 
 
 def _judged_by(rows: Sequence[Result]) -> str:
-    """Return which versions judged the answers. If there are several, add how many answers each version judged."""
+    """Return a sentence about the versions that judged the answers, with counts if there are several."""
     versions = Counter(row.versions.told() for row in rows).most_common()
     if len(versions) < 2:
         return "".join(f"Judged by {one}." for one, _ in versions)
@@ -123,9 +124,9 @@ def _judged_by(rows: Sequence[Result]) -> str:
 
 
 def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, float]]:
-    """Return the bars of the histogram as (points, count, height). Points are rounded down.
+    """Return the histogram's bars as (points, count, height). Points are rounded down.
 
-    The height is the count divided by the largest count.
+    A bar's height is its count divided by the largest count.
     """
     bins = Counter(min(most, int(row.score)) for row in graded if row.score is not None)
     largest = max(bins.values(), default=1)
@@ -136,7 +137,8 @@ def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, f
 class _Column:
     """A criterion's column on the map.
 
-    `lost`: how many answers failed it, completely or in part. `skipped`: for how many it wasn't judged.
+    `lost`: the number of answers that failed it completely or in part. `skipped`: the number of answers for which it
+    wasn't judged.
     """
 
     column: int
@@ -153,9 +155,9 @@ class _Column:
 
 
 def _columns(graded: Sequence[Result]) -> list[_Column]:
-    """Return all criteria in the exercise's order.
+    """Return a column for each criterion, in the exercise's order.
 
-    A criterion without points is listed only if a student failed it.
+    A criterion without points gets a column only if a student failed it.
     """
     lines: dict[str, list[CriterionLine]] = defaultdict(list)
     for row in graded:
@@ -176,16 +178,17 @@ def _columns(graded: Sequence[Result]) -> list[_Column]:
 
 
 def _lines(row: Result, criteria: Sequence[_Column]) -> list[CriterionLine | None]:
-    """Return a student's results, one per column; None for each criterion that the result doesn't have."""
+    """Return a student's results, one for each column, or None for a criterion that isn't in the student's result."""
     found = {one.id: one for one in row.criteria}
     return [found.get(one.id) for one in criteria]
 
 
 @dataclass(frozen=True)
 class _Cause:
-    """A cause of lost points: its explanation in the feedback, and what the judge saw in these programs.
+    """A cause of lost points: its explanation in the feedback, and the judge's observations.
 
-    `sights`: the most frequent observations, each with its count. `other_sights`: how many others there were.
+    `sights`: the most frequent observations, each with its count. `other_sights`: the count of all other observations.
+    `who`: the students.
     """
 
     number: int
@@ -204,8 +207,7 @@ class _Cause:
 def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Cause]:
     """Group the failed criteria by cause, and return the causes, most frequent first.
 
-    Two failures have the same cause if they are failures of the same criterion, and their explanations differ at most
-    in numbers.
+    Two failures have the same cause if they have the same criterion and their explanations differ at most in numbers.
     """
     found: dict[tuple[str, str], list[tuple[str, CriterionLine]]] = defaultdict(list)
     for row in graded:
@@ -234,7 +236,7 @@ def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Caus
 
 
 def _causes_of(causes: Sequence[_Cause]) -> Mapping[str, list[int]]:
-    """Map each student to the numbers of that student's causes."""
+    """Map each student to the numbers of the causes for which the student lost points."""
     numbers: dict[str, list[int]] = defaultdict(list)
     for cause in causes:
         for student in cause.who:

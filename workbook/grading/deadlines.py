@@ -16,9 +16,9 @@ FORM = "2026-05-31T23:59, 2026-05-31T23:59+02:00, or 2026-05-31 for the end of t
 
 
 def zone_named(name: str | None) -> tzinfo | None:
-    """Return the time zone called `name`. If `name` is None, return None, which stands for the machine's own zone.
+    """Return the time zone called `name`, or None, which stands for the machine's own zone, if `name` is None.
 
-    Raises: | BadOption: no zone has this name.
+    Raises BadOption if no zone has this name.
     """
     if name is None:
         return None
@@ -29,10 +29,11 @@ def zone_named(name: str | None) -> tzinfo | None:
 
 
 def parse_deadline(text: str, zone: tzinfo | None) -> datetime | None:
-    """Parse a deadline into a moment with a time zone. Return None if it's invalid.
+    """Parse a deadline. Return a time with a time zone, or None if the deadline is invalid.
 
     A date alone means the end of that day. A time without a zone is in `zone`, or in the machine's zone if `zone` is
-    None. When clocks are set back, a time occurs twice; the later moment counts, in the students' favor.
+    None. When clocks are set back, a local time occurs twice. In that case, the later one counts, in the students'
+    favor.
     """
     try:
         moment = datetime.fromisoformat(text.strip())
@@ -47,24 +48,23 @@ def parse_deadline(text: str, zone: tzinfo | None) -> datetime | None:
 
 
 def in_words(moment: datetime) -> str:
-    """Format a moment as local time with offset and as UTC, so that readers needn't guess the zone."""
+    """Format a time as local time with its offset and as UTC, so that readers don't have to guess the time zone."""
     utc = moment.astimezone(UTC)
     offset = moment.strftime("%z")
     return f"{moment:%Y-%m-%d %H:%M:%S} (UTC{offset[:3]}:{offset[3:5]}), which is {utc:%Y-%m-%d %H:%M:%S} UTC"
 
 
 def same_name(student: str) -> str:
-    """Normalize a name, so that names that look alike are equal, no matter how their accents are encoded."""
+    """Normalize a name, so that names that look the same are equal, however their accents are encoded."""
     return unicodedata.normalize("NFC", student.strip())
 
 
 def read_extensions(path: Path, zone: tzinfo | None) -> dict[str, datetime]:
-    """Read individual deadlines from a CSV with the columns student and deadline. The header is optional.
+    """Read individual deadlines from a CSV file with the columns `student` and `deadline`. The header is optional.
 
     Commas, semicolons, or tabs may separate the columns. The keys are names as `same_name` returns them.
 
-    Raises:
-        BadOption: the file or a line is invalid, or two lines give one student different deadlines.
+    Raises BadOption if the file or a line is invalid, or if two lines give one student different deadlines.
     """
     found: dict[str, datetime] = {}
     try:
@@ -95,7 +95,7 @@ def read_extensions(path: Path, zone: tzinfo | None) -> dict[str, datetime]:
 def about_unknown(extensions: Collection[str], students: Collection[str]) -> str:
     """Return a sentence about extensions for students without a hand-in, and suggest similar names.
 
-    Return "" if every student with an extension handed something in.
+    Return "" if every student with an extension has handed something in.
     """
     known = {same_name(one) for one in students}
     told = []

@@ -1,7 +1,7 @@
-"""Export the gradebook to other systems' formats. Every function here is a pure function of results.
+"""Export the gradebook to other systems' formats, using only pure functions of results.
 
-Formats: Gradescope's results.json (docs/specs.md of its autograder samples), Canvas's gradebook CSV
-(gradebook_importer.rb), Moodle's grade import (CSV by ID number), and nbgrader's export (plugins/export.py).
+The formats are Gradescope's results.json (docs/specs.md in its autograder samples), Canvas's gradebook CSV
+(gradebook_importer.rb), Moodle's grade import (a CSV keyed by ID number), and nbgrader's export (plugins/export.py).
 """
 
 import csv
@@ -32,9 +32,9 @@ def _rows(rows: Sequence[Sequence[object]]) -> str:
 
 
 def _said(result: Result) -> str:
-    """Summarize a result's feedback in a few plain sentences, without hidden criteria.
+    """Summarize a result's feedback in a few sentences of plain text, without hidden criteria.
 
-    A person's changes come first.
+    Changes that a person made come first.
     """
     return without_commands(f"{result.changed_by_hand()} {_judged(result)}".strip())
 
@@ -52,10 +52,10 @@ def _judged(result: Result) -> str:
 
 
 def gradescope(result: Result) -> str:
-    """Return Gradescope's results.json for one submission, as text.
+    """Return the content of Gradescope's results.json for one submission.
 
-    An answer that couldn't be graded gets no score. Gradescope then shows that it failed to run, instead of counting it
-    as zero.
+    An answer that couldn't be graded gets no score. Then Gradescope reports that the autograder failed to run, instead
+    of counting the answer as zero.
     """
     tests: list[dict[str, Any]] = []
     for number, one in enumerate(result.criteria, start=1):
@@ -96,9 +96,11 @@ def gradescope(result: Result) -> str:
 
 
 def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
-    """Return a CSV to import into Canvas. `assignment`: the exercise's column in Canvas, such as "Exercise 09 (12345)".
+    """Return a CSV table to import into Canvas.
 
-    Canvas finds students by login. A result without a score leaves the cell empty, which Canvas ignores.
+    `assignment`: the exercise's column in Canvas, such as "Exercise 09 (12345)".
+
+    Canvas identifies students by login. For a result without a score, the cell is empty, and Canvas ignores it.
     """
     head: list[object] = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment]
     rows: list[list[object]] = [head, ["    Points Possible", "", "", "", "", f"{points:g}"]]
@@ -111,10 +113,12 @@ def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
 
 
 def moodle(results: Iterable[Result], item: str) -> str:
-    """Return a CSV for Moodle's grade import. There, map "ID number" to the students, and `item` to the grade.
+    """Return a CSV table for Moodle's grade import.
 
-    Moodle shows feedback as HTML, so markup in it is escaped. Results without a score are left out, because an empty
-    grade would delete an earlier one.
+    In Moodle's import form, map "ID number" to the students and the column `item` to the grade.
+
+    Moodle shows feedback as HTML, so characters with a special meaning in HTML are escaped. Results without a score are
+    left out, because an empty grade would delete an earlier one.
     """
     rows: list[list[object]] = [["ID number", item, f"{item} (feedback)"]]
     mine = by_student(results)
@@ -133,9 +137,9 @@ NBGRADER = (
 
 
 def nbgrader(results: Iterable[Result], assignment: str | None = None) -> str:
-    """Return a CSV with the same columns as nbgrader's own export.
+    """Return a CSV table with the same columns as nbgrader's own export.
 
-    `assignment`: the exercise's name in nbgrader, if it's different there.
+    `assignment`: the exercise's name in nbgrader, or None if it's the same there.
     """
     rows: list[Sequence[object]] = [NBGRADER]
     for result in by_student(results):

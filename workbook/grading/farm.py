@@ -1,9 +1,10 @@
-"""Judge on a dask.distributed cluster: find the workers, hand out answers, and handle lost workers.
+"""Judge answers on a farm (a dask.distributed cluster): find workers, hand out answers, and handle lost workers.
 
-The workers only start slots (`workbook.grading.farm_worker`). We choose the worker for each answer, and never hand out
-more answers than there are threads. So when a worker dies, we lose only a few answers, and we know which ones. We judge
-these again on other workers. Each then has a worker to itself, so an answer that kills its worker harms no other
-answer.
+A worker is a dask process on one of the machines. It only starts slots, which are processes that judge answers (see
+`workbook.grading.farm_worker`). We, not dask, choose the worker for each answer, and never hand out more answers than
+the workers have threads. So when a worker is lost, we lose only a few answers, and we know which ones. We judge these
+again on other workers. Each of them then gets a worker to itself, so that an answer that kills its worker doesn't
+affect other answers.
 """
 
 import json
@@ -28,13 +29,16 @@ from workbook.isolation.tiers import Isolation
 INTRODUCTION_S = 60.0
 PATIENCE_WITHOUT_WORKERS_S = 60.0
 TRIES = 3
-"""How many times an answer is sent if no judgment comes back: once, and then twice more with a worker to itself."""
+"""The number of times that an answer is sent to a worker before we give up.
+
+The first time, other answers may run on the same worker. After that, the answer gets a worker to itself.
+"""
 _START_HERE = "Start it in the course's folder: .venv/bin/dask worker"
 
 
 @dataclass(eq=False)
 class _Machine:
-    """A worker of the farm. `places`: how many answers it can judge at the same time."""
+    """A worker of the farm. `places`: the number of answers that it can judge at the same time."""
 
     address: str
     places: int
@@ -55,7 +59,10 @@ class _Machine:
 
 @dataclass(eq=False)
 class _Task(Generic[Key]):
-    """A job. `losses`: how many times it was sent to a worker, but no judgment came back."""
+    """A job, which is an answer to judge.
+
+    `losses`: the number of times that it was sent to a worker and no judgment came back.
+    """
 
     job: Job[Key]
     losses: int = 0
@@ -69,10 +76,10 @@ class _Sent(Generic[Key]):
 
 
 class Farm:
-    """Runs judgments on every worker that has this course version and belongs to the scheduler at `address`.
+    """Judges on the workers that belong to the scheduler at `address` and have the same version of the course as we do.
 
-    Implements `GradingBackend`. `say` is called with a sentence about each unused or lost machine. Use it as a context
-    manager. Raises NoJudges.
+    Implements `GradingBackend`. `say` is called with a sentence about each worker that isn't used or was lost. Use a
+    Farm as a context manager. Raises NoJudges if no worker can judge.
     """
 
     def __init__(self, address: str, isolation: Isolation, say: Callable[[str], None]) -> None:
@@ -95,12 +102,12 @@ class Farm:
 
     @property
     def isolation(self) -> Isolation:
-        """The isolation tier in which every worker runs programs."""
+        """The isolation tier in which all workers run programs."""
         return self._isolation
 
     @property
     def machines(self) -> int:
-        """The number of workers that can judge."""
+        """The number of workers that can judge answers."""
         return sum(machine.ready for machine in self._machines.values())
 
     @property
@@ -138,9 +145,10 @@ class Farm:
         raise NoJudges(f"no worker at {self._address} can judge: " + "; ".join(self._refusals))
 
     def _muster(self) -> list[_Machine]:
-        """Update the list of workers from the scheduler, at most once a second. Ask new workers for their properties.
+        """Fetch the list of workers from the scheduler, and ask new workers for their properties.
 
-        Return the workers that are gone. Raises NoJudges if the scheduler doesn't respond.
+        Do nothing if the list is less than a second old. Return the workers that have disappeared since the last time.
+        Raises NoJudges if the scheduler doesn't respond.
         """
         if time.monotonic() - self._mustered_at < LOOK_EVERY_S:
             return []
@@ -192,7 +200,10 @@ class Farm:
         return future
 
     def _meet(self, key: str) -> bool:
-        """Handle a reply if it's a new worker's first one, with its properties. Return whether it is."""
+        """Handle a reply if it's a new worker's first reply, which contains the worker's properties.
+
+        Return whether it is.
+        """
         if key not in self._questions:
             return False
         machine, question = self._questions.pop(key)
@@ -210,7 +221,10 @@ class Farm:
         return True
 
     def refuse(self, machine: _Machine, why: str) -> None:
-        """Stop using a worker for the rest of the run, and report why. Do nothing if the worker was already refused."""
+        """Stop using a worker for the rest of the run, and report the reason.
+
+        Do nothing if it has already been refused.
+        """
         if machine.refused:
             return
         machine.ready, machine.refused = False, True
@@ -222,9 +236,9 @@ class Farm:
     def judge_all(
         self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Judge many answers; see `GradingBackend`.
+        """Judge many answers. See `GradingBackend`.
 
-        Raises NoJudges if the scheduler is lost, or if there has been no worker for a minute.
+        Raises NoJudges if the scheduler is lost or if there has been no worker for a minute.
         """
         distribution = _Distribution(self, jobs, soak)
         try:
@@ -267,7 +281,7 @@ class Farm:
         ).to_text()
 
     def announce_loss(self, machine: _Machine) -> None:
-        """Report that a worker is gone, and how many of its answers will be judged again elsewhere."""
+        """Report that a worker is gone and how many of its answers will be judged again on other workers."""
         if not machine.ready:
             return
         again = len(machine.under_way)
@@ -287,9 +301,9 @@ class Farm:
 
 
 class _Distribution(Generic[Key]):
-    """Tracks which answers are waiting, which are on which worker, and which must be judged again alone.
+    """Tracks the answers of one run: those that are waiting, those that workers have, and those to judge again alone.
 
-    An answer is settled when its judgment has arrived, or when it was lost too often.
+    An answer is settled when its judgment has arrived or when it was lost too often.
     """
 
     def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], soak: bool) -> None:
@@ -305,11 +319,14 @@ class _Distribution(Generic[Key]):
 
     @property
     def is_left(self) -> bool:
-        """Whether some answers are still waiting for a worker."""
+        """Whether answers are still waiting for a worker."""
         return bool(self._waiting or self._suspects)
 
     def hand_out(self) -> None:
-        """Fill the free places. A suspect, which is an answer that was lost before, gets a worker to itself."""
+        """Send waiting answers to free workers.
+
+        A suspect, which is an answer that was lost before, gets a worker to itself.
+        """
         ready = self._farm.ready_machines()
         while self._waiting and ready:
             machine = max(ready, key=lambda one: one.free)
@@ -321,14 +338,14 @@ class _Distribution(Generic[Key]):
                 self._send(self._suspects.popleft(), machine)
 
     def give_up_on(self, machine: _Machine) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Take back a lost worker's answers. Yield the answers that were lost too often to be judged again."""
+        """Take back a lost worker's answers. Yield those that have been lost too often to be judged again."""
         self._farm.announce_loss(machine)
         for key in list(machine.under_way):
             self._sent[key].future.cancel()
             yield from self._lost(self._take_back(key), f"{machine} went away")
 
     def settle(self, key: str) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Handle a worker's reply to an answer. Yield the answer with its judgment if it's now settled.
+        """Handle a worker's reply about an answer. If the answer is now settled, yield it with its judgment.
 
         Yield nothing if the answer will be judged again.
         """
@@ -354,7 +371,7 @@ class _Distribution(Generic[Key]):
             yield from self._lost(task, f"{why} (on {machine})")
 
     def cancel(self) -> None:
-        """Cancel all answers that were sent to workers."""
+        """Cancel the judging of all answers that were sent to workers."""
         for one in self._sent.values():
             one.machine.under_way.clear()
             one.machine.alone = False
@@ -393,7 +410,7 @@ def _judged_criteria(stem: str) -> dict[str, float]:
 def _checked(data: object, job: Job[Key]) -> Judgement:
     """Decode the judgment of this job's answer.
 
-    Raises ValueError if the data is damaged, belongs to another answer, or was made with other criteria.
+    Raises ValueError if the data is damaged, is about another answer, or was made with other criteria.
     """
     judgement = judgement_from_afar(data, job.stem, job.answer.sha256)
     if judgement.status == "graded":

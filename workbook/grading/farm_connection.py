@@ -1,4 +1,4 @@
-"""Connect to a dask.distributed scheduler, and fetch the workers' replies."""
+"""Connect to a farm's dask.distributed scheduler, and fetch the workers' replies."""
 
 import asyncio
 import json
@@ -14,7 +14,7 @@ CONNECT_S = 10.0
 FETCH_S = 30.0
 LOOK_EVERY_S = 1.0
 LARGEST_REPLY = 300_000_000
-"""The most characters in a reply. Its recording may contain thousands of messages."""
+"""The maximum length of a reply, in characters. It's large because a recording may contain thousands of messages."""
 _ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9A-Fa-f:.]+\]|[\w.-]+):\d{1,5}")
 
 
@@ -60,10 +60,10 @@ def connect(address: str) -> Any:
 
 
 def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
-    """Ignore the exceptions from an event loop's canceled waits for lost replies; handle all others as usual.
+    """Ignore an event loop's exceptions from canceled waits for lost replies. Handle all other exceptions as usual.
 
-    If a worker is lost while we're fetching its reply, the `distributed` library waits for the reply again. We give up
-    and cancel the reply. That wait then fails with AllExit, which none of our code catches.
+    If a worker is lost while we're fetching its reply, the `distributed` library waits for the reply again. When we
+    give up and cancel the reply, that wait fails with AllExit, and our code can't catch this exception.
     """
     if type(context.get("exception")).__name__ != "AllExit":
         loop.default_exception_handler(context)
@@ -72,7 +72,7 @@ def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, A
 def _fetch(future: Any) -> object:
     """Fetch the reply of a finished task.
 
-    Raises RuntimeError if the worker is known to be lost, or if fetching takes longer than FETCH_S seconds.
+    Raises RuntimeError if the worker is known to be lost or if fetching takes longer than FETCH_S seconds.
     """
 
     async def fetched() -> object:
@@ -90,7 +90,7 @@ def _fetch(future: Any) -> object:
 
 
 def text_of(future: Any) -> str:
-    """Return a worker's reply as text. Raises RuntimeError if there's no valid reply."""
+    """Return a worker's reply, which is a string. Raises RuntimeError if there's no valid reply."""
     if future.status != "finished":
         error = future.exception(timeout=FETCH_S) if future.status == "error" else None
         raise RuntimeError(in_words(error) if error is not None else f"the work was {future.status}")
@@ -101,7 +101,7 @@ def text_of(future: Any) -> str:
 
 
 def reply_in(text: str) -> dict[str, Any]:
-    """Parse a reply. Raises ValueError if the reply has none of the known keys."""
+    """Parse a reply. Raises ValueError if it isn't valid JSON or has none of the known keys."""
     reply = json.loads(text, parse_constant=no_constant)
     if not isinstance(reply, dict) or not reply.keys() & {"judgement", "refused", "fault", "elsewhere"}:
         raise ValueError("the reply is damaged")

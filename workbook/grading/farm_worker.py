@@ -1,7 +1,8 @@
-"""Judge answers inside a farm's worker: start slots, give them answers, and keep them warm in between.
+"""Judge answers inside a farm's worker: start slots, send them answers, and keep them running in between.
 
-The worker process itself runs no answer. It receives an order and returns a reply, both as JSON text. Dask pickles only
-that text, so data from an answer is never unpickled as objects.
+A slot is a process that judges answers, so the worker process itself doesn't run any. The worker receives an order and
+returns a reply, both as JSON strings. Dask pickles only these strings, so data from an answer is never unpickled as
+objects.
 """
 
 import hashlib
@@ -26,17 +27,18 @@ from workbook.recording.codec import decode, encode
 from workbook.ros.scratch import scratch_folder
 
 IDLE_S = 60.0
-"""How long an idle slot is kept for the next answer, in seconds. Each slot uses about 100 MB of memory."""
+"""The time (s) for which an idle slot is kept for the next answer. Each slot uses about 100 MB of memory."""
 PROCESS = secrets.token_hex(8)
-"""Identifies this process, so that it rejects orders for an earlier process at the same address."""
+"""Identifies this process, so that it can reject orders that were meant for an earlier process at the same address."""
 
 
 @dataclass(frozen=True)
 class FarmJob:
-    """One answer to judge, as sent to a worker.
+    """One answer to judge, as it's sent to a worker.
 
-    `course`: the hash of the sender's course version; the worker must have the same version. `own_criteria`: the text
-    of an instructor's own criteria. `process`: the worker process that the job is meant for.
+    `course`: the hash of the sender's course version, which the worker must have, too. `own_criteria`: the content of
+    the instructor's own criteria file, or None. `process`: the worker process that the job is meant for (see
+    `PROCESS`).
     """
 
     exercise: str
@@ -54,7 +56,7 @@ class FarmJob:
 
 
 def rclpy_version() -> str:
-    """Return the rclpy wheel's version; "system" if rclpy isn't installed as a wheel."""
+    """Return the rclpy wheel's version, or "system" if rclpy isn't installed as a wheel."""
     try:
         return metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -77,9 +79,9 @@ _COURSE_LOADED = _course_now()
 
 
 def course_problem(wanted: str) -> str | None:
-    """Return the reason that this worker can't judge with the course version whose hash is `wanted`.
+    """Return why this worker can't judge with the course version whose hash is `wanted`.
 
-    Return None if it can.
+    Return None if the worker can.
     """
     now = _course_now()
     if now == wanted == _COURSE_LOADED:
@@ -99,7 +101,7 @@ def course_problem(wanted: str) -> str | None:
 def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str:
     """Return the worker's properties as JSON.
 
-    `problem` is the reason that the worker can't judge with these settings, or null if it can.
+    `problem` is the reason why the worker can't judge with these settings, or null if it can.
     """
     problem = course_problem(course)
     if problem is None and (rclpy_version(), python_version()) != (rclpy, python):
@@ -117,12 +119,13 @@ def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str
 def judge(text: str) -> str:
     """Judge the answer in a `FarmJob`, given as JSON. Return the reply as JSON.
 
-    The reply has one of these keys. `judgement`: the result. `refused`: the reason that this worker can judge no more
-    answers. `fault`: the reason that it couldn't judge this answer. `elsewhere`: the job was meant for another process.
+    The reply has one of these keys. `judgement`: the judgment. `refused`: the reason why this worker can't judge any
+    more answers. `fault`: the reason why it couldn't judge this answer. `elsewhere`: true, because the job was meant
+    for another process.
     """
     try:
         return json.dumps(_judge(decode(FarmJob, json.loads(text))), allow_nan=False)
-    except Exception as error:  # we return any exception as text, because an exception would be pickled
+    except Exception as error:  # we return its message as a string, because dask would pickle an exception
         return json.dumps({"fault": f"{type(error).__name__}: {error}"})
 
 
@@ -148,7 +151,7 @@ _criteria: Path | None = None
 
 
 def _folder_of(stem: str, text: str | None) -> Path | None:
-    """Return a folder that contains `text`, the job's own criteria; None if the job has none."""
+    """Return a folder with a criteria file that contains `text`, or None if the job has no criteria of its own."""
     global _criteria
     if text is None:
         return None

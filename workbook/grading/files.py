@@ -1,4 +1,4 @@
-"""Write files atomically, and name the file when the disk is full."""
+"""Write files atomically, with errors that name the file even if the disk is full."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -8,9 +8,10 @@ from pathlib import Path
 def write_whole(path: Path, text: str, *, bom: bool = False) -> Path:
     """Write a text file atomically: readers see the old version until the new one is complete. Return the path.
 
-    `bom`: whether to begin with a byte order mark. Without it, Excel shows each accented letter as two characters.
+    `bom`: whether to begin the file with a byte order mark. Without it, Excel shows each accented letter as two
+    characters.
 
-    Raises: | OSError: the file cannot be written. The error names the file, even if the disk is full.
+    Raises OSError if the file can't be written. The error names the file, even if the disk is full.
     """
     partial = path.with_name(f".{path.name}.part")
     with naming(path):
@@ -26,7 +27,7 @@ def write_whole(path: Path, text: str, *, bom: bool = False) -> Path:
 
 @contextmanager
 def naming(path: Path) -> Iterator[None]:
-    """Add `path` to an OSError that names no file, such as the error for a full disk."""
+    """Add `path` to an OSError that doesn't name a file, such as the error for a full disk."""
     try:
         yield
     except OSError as error:

@@ -1,8 +1,9 @@
-"""Grade a push to a class repository: write a summary for its page, and results in GitHub Classroom's format.
+"""Grade a push to a class repository: write a summary for the run's page, and results in GitHub Classroom's format.
 
-Classroom's reporter (classroom-resources/autograding-grading-reporter) reads one result for each *runner*: base64 of
-JSON, in a variable with the runner's name. It fails on a result without `tests`, and if points differ, it counts passed
-tests. So each criterion has its own runner, with exactly one test.
+Classroom's reporter (classroom-resources/autograding-grading-reporter) reads one result for each *runner* from a
+variable with the runner's name. The result is JSON, encoded as base64. The reporter fails on a result without `tests`.
+If tests have different points, it counts the passed tests instead of adding up points. So each criterion has its own
+runner, with exactly one test.
 """
 
 import base64
@@ -30,7 +31,7 @@ NOTHING = "Nothing is handed in for this exercise yet."
 
 @dataclass(frozen=True)
 class Pushed:
-    """The result of one exercise. `result` is None if the student handed in nothing for it."""
+    """The result of one exercise. `result` is None if the student didn't hand in an answer to it."""
 
     exercise: Exercise
     result: Result | None
@@ -39,7 +40,7 @@ class Pushed:
 def grade_pushed(
     exercises: Sequence[Exercise], folder: Path, out: Path, isolation: Isolation
 ) -> tuple[Pushed, ...]:
-    """Judge the answers in a student's folder, exercise by exercise. Store recordings under `out`."""
+    """Judge the answers in a student's folder, one exercise after another. Store recordings under `out`."""
     found = []
     for exercise in exercises:
         hand_in = hand_in_named(WHOSE, folder, exercise.stem)
@@ -55,7 +56,7 @@ def grade_pushed(
 
 
 def runners(exercise: Exercise) -> dict[str, Criterion]:
-    """Return the criteria that carry points, keyed by runner name. Names contain only letters and digits."""
+    """Return the criteria that carry points, keyed by runner name. Runner names consist of letters and digits."""
     worth = [criterion for criterion in exercise.criteria if criterion.points > 0]
     return {f"e{exercise.stem[:2]}c{number}": criterion for number, criterion in enumerate(worth, start=1)}
 
@@ -106,7 +107,7 @@ def _one(criterion: Criterion, status: str, score: float, message: str) -> dict[
 
 
 def summary(pushed: Sequence[Pushed], out: Path, isolation: Isolation) -> str:
-    """Render a run's summary as Markdown: an overview of the points, then a card for each answer."""
+    """Render a run's summary as Markdown: an overview of the points, and then a feedback card for each answer."""
     return render(
         "grading/run_summary",
         pushed=pushed,
@@ -129,7 +130,7 @@ def _points(one: Pushed) -> str:
 
 
 def all_hold(pushed: Sequence[Pushed]) -> bool:
-    """Return whether something was handed in, and whether each answer passed all criteria that aren't hidden."""
+    """Return whether something was handed in and each answer passed all criteria that aren't hidden."""
     return any(one.result is not None for one in pushed) and all(
         one.result is None
         or (

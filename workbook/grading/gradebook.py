@@ -20,10 +20,10 @@ GRADES = "grades.csv"
 
 @dataclass(frozen=True)
 class GradebookOptions:
-    """The exports to write in addition to grades.csv.
+    """The exports to write in addition to grades.csv, and their options.
 
     `column`: the exercise's name in Canvas and Moodle. `assignment`: its name in nbgrader. `bom`: whether tables begin
-    with a byte order mark; nbgrader's never does.
+    with a byte order mark. nbgrader.csv never does.
     """
 
     formats: tuple[str, ...] = ()
@@ -39,9 +39,10 @@ def write_gradebook(
     results: Mapping[StudentAndExercise, Result],
     options: GradebookOptions | None = None,
 ) -> list[Path]:
-    """Write grades.csv and the requested exports under `out`. Return the files and folders written.
+    """Write grades.csv and the requested exports under `out`. Return the paths of the files and folders written.
 
-    All of them include the marks that a person changed (see `appeals`). Raises BadOption if the changes can't be read.
+    All of them include the changes that a person made to marks (see `appeals`). Raises BadOption if these changes can't
+    be read.
     """
     options = options or GradebookOptions()
     changed = with_changes(with_a_hand_in(out, results.values()), kept(out))

@@ -1,4 +1,4 @@
-"""Build grades.csv, as a pure function of the results."""
+"""Build grades.csv from the results, using only pure functions."""
 
 import csv
 import hashlib
@@ -13,13 +13,14 @@ from workbook.recording.plain_text import without_commands
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 _MARK = re.compile(r"\[[0-9a-f]{12}\]$")
 _FORMULA_STARTS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
-"""The characters that begin a formula, including full-width forms, which count with East Asian input."""
+"""The characters that begin a formula. East Asian input methods produce the full-width forms, which count, too."""
 
 
 def safe_cell(value: object) -> str:
-    """Return text that no spreadsheet interprets as a formula. A leading = + - @ gets an apostrophe in front.
+    """Return the content of a table cell that no spreadsheet interprets as a formula.
 
-    Control characters become spaces, and invisible characters are removed.
+    An apostrophe is put in front of a leading = + - @. Control characters become spaces, and invisible characters are
+    removed.
     """
     if value is None:
         return ""
@@ -30,10 +31,9 @@ def safe_cell(value: object) -> str:
 
 
 def student_cell(student: str) -> str:
-    """Return a table cell for a student's name. Different names never get the same cell.
+    """Return the content of a table cell for a student's name. Different names never get the same content.
 
-    Most names stay unchanged. A unique mark is added to a name that tables can't hold unchanged, or that importers
-    trim.
+    Most names stay unchanged. If a table or an importer would alter a name, a unique mark is added to it.
     """
     cell = safe_cell(student)
     tame = cell == student and student.isprintable() and "  " not in student and not student.startswith("'")
@@ -51,10 +51,11 @@ def cells_of(student: str) -> set[str]:
 
 
 def logins(students: Iterable[str]) -> dict[str, str]:
-    """Map each student to a cell for importers that find students by login.
+    """Map each student to the content of a cell, for importers that identify students by login.
 
     Importers may ignore case and different encodings of the same character. If an importer might treat several names as
-    one login, each of them gets a mark. Then it finds no student, which is better than the wrong one.
+    the same login, each of these names gets a unique mark. Then the importer finds no student for it, which is better
+    than the wrong student.
     """
     by_login: dict[str, set[str]] = {}
     for student in students:
@@ -68,9 +69,9 @@ def logins(students: Iterable[str]) -> dict[str, str]:
 
 
 def grades_csv(results: Iterable[Result]) -> str:
-    """Return grades.csv as text: one row per student and exercise, with a column for each criterion's points.
+    """Return the content of grades.csv: one row for each student and exercise, with columns for the criteria's points.
 
-    If an answer has no score, the cell is empty, never a zero.
+    If an answer has no score, its cell is empty, not zero.
     """
     rows = sorted(results, key=lambda result: (result.exercise, result.student))
     criteria: list[str] = []

@@ -21,10 +21,11 @@ FAULT = (
 
 
 def results_json(result: Result) -> str:
-    """Return results.json for Gradescope, which requires a score at the top level or in a test.
+    """Return the content of Gradescope's results.json, which must have a score at the top level or in a test.
 
-    An answer that can't be judged (no file, two files, an empty one) fails one test. That test gives the reason, so the
-    student can submit again. After an error in the judge, there's no score at all, so Gradescope takes no points away.
+    An answer that can't be judged (no file, two files, an empty file) is reported as a single failed test. The test's
+    output gives the reason, so that the student can fix the problem and submit again. After an error in the judge,
+    there's no score at all, so the student doesn't lose any points.
     """
     data: dict[str, Any] = json.loads(gradescope(result))
     if result.status == "infra_error":
@@ -55,7 +56,7 @@ def _unjudged(result: Result) -> dict[str, Any]:
 
 
 def fault_json(reason: str) -> str:
-    """Return results.json for a submission that we couldn't even read."""
+    """Return the content of results.json for a submission that couldn't be judged because our own code failed."""
     data = {
         "output": without_commands(FAULT.format(reason=reason)),
         "output_format": "text",
@@ -67,7 +68,7 @@ def fault_json(reason: str) -> str:
 
 
 def grade_submission(exercise: Exercise, submission: Path, results: Path, isolation: str) -> Result:
-    """Judge the answer in the folder `submission`, and write the file `results`. Raises NoSandbox, OSError."""
+    """Judge the answer in the folder `submission`, and write the file `results`. Raises NoSandbox or OSError."""
     hand_in = hand_in_below("submission", submission, exercise.stem)
     result = grade_one(exercise, hand_in, results.parent, choose_isolation(isolation))
     write_whole(results, results_json(result))

@@ -14,13 +14,13 @@ ARCHIVE_SUFFIXES = (".zip", ".gz", ".tgz", ".tar", ".bz2", ".xz", ".zst", ".7z",
 SHADOWS = frozenset(
     {"conftest", "sitecustomize", "usercustomize", "setup", "rclpy", "std_msgs", "geometry_msgs"}
 )
-"""Names that an answer's file can't have: a program would import that file instead of the module with that name."""
+"""Names that an answer's file can't have, because it would be imported instead of the module of that name."""
 _ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
 SKIPPED_FOLDERS = frozenset(
     {"__pycache__", ".ipynb_checkpoints", "__MACOSX", "venv", "env", "site-packages", "node_modules"}
 )
 DEEPEST = 100
-"""The most levels of nested folders to search. Real hand-ins have a few levels, but a path could have thousands."""
+"""The maximum depth of nested folders to search. Real hand-ins have a few levels, but a path could have thousands."""
 _LOOKS_LIKE_ONE = re.compile(r"\.(py\w?|ipynb)(?![^\W\d_])", re.IGNORECASE)
 _BESIDE_OTHERS = "._"
 """The prefix of the metadata files that macOS puts next to other files."""
@@ -30,7 +30,7 @@ _BESIDE_OTHERS = "._"
 class HandIn:
     """One student's answer.
 
-    `label`: the answer's path as shown in results. `problem`: the reason that the answer can't be judged, or None.
+    `label`: the answer's path as it's shown in results. `problem`: the reason why the answer can't be judged, or None.
     """
 
     student: str
@@ -44,9 +44,9 @@ def _is_answer(path: Path) -> bool:
 
 
 def why_no_answer(name: str) -> str | None:
-    """Return the reason that a file isn't an answer, although its name looks like an answer's.
+    """Return why a file isn't an answer although its name looks like an answer's name.
 
-    Return None for an answer, and for all other files.
+    Return None for answers and for all other files.
     """
     path = Path(name)
     if _is_answer(path) or not _LOOKS_LIKE_ONE.search(name):
@@ -65,9 +65,9 @@ def why_no_answer(name: str) -> str | None:
 
 
 def walk(top: Path) -> Iterator[tuple[str, list[str], list[str]]]:
-    """Walk a folder from the top down, like `os.walk`, but safely even if the folder is untrusted.
+    """Walk a folder from the top down as `os.walk` does, but safely even if the folder's content is untrusted.
 
-    The walk goes down at most `DEEPEST` levels. It skips unreadable folders, and doesn't follow links.
+    The walk goes down at most `DEEPEST` levels, skips unreadable folders, and doesn't follow links.
     """
     waiting = [(str(top), 0)]
     while waiting:
@@ -113,7 +113,7 @@ def _named_after(name: str, stem: str) -> bool:
 
 
 def hand_in_below(student: str, folder: Path, stem: str) -> HandIn:
-    """Return the one answer to the exercise `stem` under `folder`, which contains all of the student's hand-ins."""
+    """Return the only answer to the exercise `stem` under `folder`, which contains all of the student's hand-ins."""
     if not folder.is_dir():
         return HandIn(student, folder, folder.name, "nothing was handed in")
     return _choose(student, folder, folder, stem)
@@ -122,8 +122,8 @@ def hand_in_below(student: str, folder: Path, stem: str) -> HandIn:
 def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
     """Return the answer to the exercise `stem` from a folder with several exercises' answers.
 
-    Return None if no file is named after that exercise. The folder may also contain other files. If there's an
-    `answers` folder, only that folder is searched.
+    Return None if no file is named after the exercise. The folder may also contain other files. If there's a folder
+    `answers` in it, only that one is searched.
     """
     place = folder / "answers"
     if place.is_symlink():  # the link may lead to the solutions
@@ -161,7 +161,7 @@ def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
 
 
 def _why_nothing(folder: Path) -> str:
-    """Return the reason that a folder has no answer."""
+    """Return why a folder contains no answer."""
     shadows = sorted({path.name for path in _files_below(folder)})
     if shadows:
         return f"the folder holds only {', '.join(shadows)}: an answer needs a name that no ROS or Python module has"
@@ -179,8 +179,8 @@ def _why_nothing(folder: Path) -> str:
 def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: str | None) -> HandIn:
     """Return the answer in a student's folder.
 
-    If `assignment` is set, search only the subfolder of that name. Otherwise, search the subfolder that's named after
-    the exercise, or the whole folder if there isn't exactly one.
+    If `assignment` is set, search only the subfolder of that name. Otherwise, if exactly one subfolder is named after
+    the exercise, search that one, and if not, search the whole folder.
     """
     if assignment is not None:
         part = folder / assignment
@@ -196,12 +196,15 @@ def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: st
 
 
 def hand_in_root(path: Path) -> Path:
-    """Return the folder that contains the hand-ins: `submitted` in nbgrader's layout, otherwise `path` itself."""
+    """Return the folder that contains the hand-ins: `submitted` in nbgrader's layout, or else `path` itself."""
     return path / "submitted" if (path / "submitted").is_dir() else path
 
 
 def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """Return the answers to the exercise `stem` under `paths`, sorted, one per student; see `all_hand_ins`."""
+    """Return the answers to the exercise `stem` under `paths`, one per student, sorted by student.
+
+    See `all_hand_ins`.
+    """
     return one_for_each(all_hand_ins(paths, stem, assignment))
 
 
@@ -210,8 +213,8 @@ def all_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None
 
     Each student is identified by the name of a file or folder. A folder may contain files, such as `s1042.py`, or one
     folder per student with the answer anywhere in it. nbgrader's `submitted/STUDENT/ASSIGNMENT/` works, too.
-    `assignment` is the exercise's name in nbgrader; if it's set, only the folder of that name is searched for each
-    student. Raises FileNotFoundError for a path that doesn't exist.
+    `assignment` is the exercise's name in nbgrader. If it's set, only the folder of that name is searched for each
+    student. Raises FileNotFoundError if a path doesn't exist.
     """
     found: list[HandIn] = []
     for path in paths:
@@ -239,9 +242,9 @@ def _in_class(root: Path, stem: str, assignment: str | None) -> Iterator[HandIn]
 
 
 def readable(text: str) -> str:
-    """Return a file name as text that can be stored.
+    """Return a file name as a string that can be stored.
 
-    Bytes that aren't valid UTF-8 become escape sequences, so two names never become the same text.
+    Bytes that aren't valid UTF-8 become escape sequences, so two different names never become the same string.
     """
     return os.fsencode(text).decode("utf-8", "backslashreplace")
 
@@ -252,12 +255,15 @@ def _as_text(raw: HandIn) -> HandIn:
 
 
 def one_spelling(name: str) -> str:
-    """Return a name with composed accents (NFC), as most systems store it. macOS stores accents separately."""
+    """Return a name with composed accents (NFC), as most systems store it. macOS separates the accents."""
     return unicodedata.normalize("NFC", name)
 
 
 def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
-    """Return one hand-in per student. If a student has several, reject them all, because guessing would be unfair."""
+    """Return one hand-in per student.
+
+    If a student has several, reject all of them, because guessing would be unfair.
+    """
     by_student: dict[str, list[HandIn]] = {}
     for hand_in in found:
         by_student.setdefault(hand_in.student, []).append(hand_in)
@@ -274,7 +280,7 @@ def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
 
 
 def infer_exercise(paths: Sequence[Path], stems: Sequence[str]) -> list[str]:
-    """Return the exercises that the files under `paths` answer, judging by file names and `%%answer` lines."""
+    """Return the stems of the exercises that the files under `paths` name in their file names or `%%answer` lines."""
     files: list[Path] = []
     for path in paths:
         files += _files_below(path) if path.is_dir() else [path]

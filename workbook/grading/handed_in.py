@@ -1,4 +1,4 @@
-"""Keep track of who has handed in, so that exports leave out students whose hand-in is gone."""
+"""Store which students have handed in an answer, so that exports can leave out students whose hand-in is gone."""
 
 import csv
 import io
@@ -15,8 +15,8 @@ HEADER = ["student", "exercise"]
 def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) -> None:
     """Store which students have handed in an answer for `exercise`.
 
-    `whole`: whether the list is complete. If it isn't, the students are added to the list of earlier runs; if there's
-    no earlier list, nothing is stored.
+    `whole`: whether the list is complete. If it isn't, the students are added to the list from earlier runs, or nothing
+    is stored if there is no earlier list.
     """
     before = _read(out)
     if not whole and all(listed != exercise for _, listed in before):
@@ -29,9 +29,9 @@ def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) ->
 
 
 def with_a_hand_in(out: Path, results: Iterable[Result]) -> list[Result]:
-    """Return the results, leaving out those whose hand-in no longer exists.
+    """Return the results except those whose hand-in no longer exists.
 
-    Keep an exercise's results if there's no list of its hand-ins.
+    If there's no list of an exercise's hand-ins, keep all of its results.
     """
     pairs = _read(out)
     listed = {exercise for _, exercise in pairs}

@@ -1,4 +1,4 @@
-"""Define the interface that judges many answers. A machine's slots and a farm both implement it."""
+"""Define the interface for judging many answers, which both a machine's slots and a farm implement."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -22,11 +22,11 @@ class Job(Generic[Key]):
 
 
 class NoJudges(RuntimeError):
-    """No worker or slot can judge, or all of them were lost. The message says why and what to do."""
+    """Raised when no worker or slot can judge, or all of them were lost. The message says why and what to do."""
 
 
 class GradingBackend(Protocol):
-    """Judges many answers, on this machine's slots or on a farm."""
+    """Judges many answers, on this machine's slots or on a farm's workers."""
 
     @property
     def isolation(self) -> Isolation:
@@ -35,8 +35,8 @@ class GradingBackend(Protocol):
     def judge_all(
         self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Judge many answers. Yield each job once, with its judgment, as soon as it's ready.
+        """Judge many answers. Yield each job once, with its judgment, as soon as the judgment is ready.
 
-        `stop` is called before each new answer. Once it returns True, the run ends as soon as the judgments in progress
-        are finished. Raises NoJudges.
+        `stop` is called before each new answer. Once it returns True, no new answer is started, and this method returns
+        after the judgments in progress. `soak`: see `Judge.judge`. Raises NoJudges.
         """

@@ -1,4 +1,4 @@
-"""Compute late penalties. results.jsonl stores the points as earned; only the exports subtract the penalty."""
+"""Compute late penalties. results.jsonl stores the points as earned, and only the exports subtract the penalty."""
 
 import math
 import re
@@ -16,7 +16,7 @@ _SAYS_UTC = re.compile(r" ?(UTC|GMT)$")
 
 @dataclass(frozen=True)
 class Lateness:
-    """A late penalty: `share` of the maximum for each day after `deadline`, complete or not.
+    """A late penalty: the fraction `share` of the maximum score for each day after `deadline`, complete or not.
 
     `extensions`: later deadlines for individual students, keyed by their names as `same_name` returns them.
     """
@@ -30,11 +30,11 @@ class Lateness:
         return self.extensions.get(same_name(student), self.deadline)
 
     def unknown(self, results: Iterable[Result]) -> list[Result]:
-        """Return the results whose submission time is unknown. No penalty is subtracted from them."""
+        """Return the results whose submission time is unknown. They don't get a penalty."""
         return [one for one in results if one.score is not None and parse_moment(one.submitted_at) is None]
 
     def taken_off(self, result: Result) -> float:
-        """Return the late penalty in points; 0 if the submission time is unknown."""
+        """Return a result's late penalty in points, which is 0 if the submission time is unknown."""
         moment = parse_moment(result.submitted_at)
         deadline = self.deadline_of(result.student)
         if moment is None or result.score is None or moment <= deadline:
@@ -44,7 +44,7 @@ class Lateness:
 
 
 def parse_moment(text: str | None) -> datetime | None:
-    """Parse an ISO 8601 time; return None if it's invalid. A time without a zone is in UTC, as in nbgrader."""
+    """Parse an ISO 8601 time, or return None if it's invalid. A time without a time zone is in UTC, as in nbgrader."""
     try:
         moment = datetime.fromisoformat(_SAYS_UTC.sub("+00:00", (text or "").strip()))
     except ValueError:

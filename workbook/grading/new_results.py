@@ -1,4 +1,4 @@
-"""Build a result from an answer's judgments, or from the reason why it couldn't be judged."""
+"""Build a result from an answer's judgments, or from the reason why the answer couldn't be judged."""
 
 import hashlib
 import json
@@ -16,12 +16,12 @@ from workbook.exercise.retries import what_counts
 from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
 
 LOG_LENGTH = 8_000
-"""The most characters of a program's log that a result contains. The recording contains the complete log."""
+"""The maximum length of a program's log in a result, in characters. The recording contains the complete log."""
 
 
 @dataclass(frozen=True)
 class Submission:
-    """One student's hand-in, as results describe it. `answer_sha256` is empty if the file couldn't be read.
+    """One student's hand-in, as a result describes it. `answer_sha256` is empty if the file couldn't be read.
 
     `note`: a sentence about other code in the notebook that the student may have meant to hand in.
     """
@@ -44,7 +44,7 @@ class GradedBy:
 
 
 def versions(criteria_sha256: str) -> Versions:
-    """Return the versions in use now, for a new result."""
+    """Return the versions that are in use now, for a new result."""
     try:
         rclpy_version = metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -98,7 +98,7 @@ def graded_result(submission: Submission, tries: Sequence[Judgement], by: Graded
 
 
 def ungradable_result(submission: Submission, reason: str, by: GradedBy) -> Result:
-    """Return the result of an answer that couldn't be run. It has no score, which isn't the same as zero."""
+    """Return the result of an answer that couldn't be run. Its score is None, not zero."""
     return Result(
         student=submission.student,
         answer=submission.answer,

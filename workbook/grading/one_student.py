@@ -1,6 +1,6 @@
-"""Find everything that a gradebook stores about one student, and export it as an archive or erase it.
+"""Find all data that a gradebook stores about one student, and export or erase the data.
 
-All names that look like the student's name count: `é` may be one character or two.
+This includes the data under all names that look like the student's name, because `é` may be one character or two.
 """
 
 import csv
@@ -40,12 +40,15 @@ TABLES = {
 
 
 class NotErasable(ValueError):
-    """A gradebook can't be read, or a student can't be found in it. The message says why, and what to do."""
+    """Raised when a gradebook can't be read or a student can't be found in it. The message says why, and what to do."""
 
 
 @dataclass(frozen=True)
 class Lines:
-    """The lines of a text file: `mine` are about the student, and `others` are all other lines, unchanged."""
+    """The lines of a text file: `mine` are about the student, `others` are all other lines.
+
+    `head`: a table's header.
+    """
 
     path: Path
     mine: tuple[str, ...]
@@ -55,11 +58,11 @@ class Lines:
 
 @dataclass(frozen=True)
 class Holdings:
-    """The data that a gradebook stores about a student, under all `names` that look alike.
+    """The data that a gradebook stores about a student, under all `names` that look like the student's name.
 
-    `results`: one per attempt. `lines`: from results.jsonl, overrides.jsonl, the tables, and the instructor's own
-    lists. `files`: pages and recordings that belong only to this student. `shared`: recordings that other students'
-    results also need. `others`: the other students' current results.
+    `results`: the student's results, one per attempt. `lines`: the lines of results.jsonl, overrides.jsonl, the tables,
+    and the instructor's own lists. `files`: pages and recordings that belong only to this student. `shared`: recordings
+    that other students' results also need. `others`: the other students' current results.
     """
 
     out: Path
@@ -78,10 +81,10 @@ class Holdings:
 
 @contextmanager
 def holdings(out: Path, student: str, lists: Sequence[Path] = ()) -> Iterator[Holdings]:
-    """Find everything about a student in the gradebook `out`. Lock the gradebook until the `with` block ends.
+    """Find all data about a student in the gradebook `out`. Keep the gradebook locked until the `with` block is left.
 
-    `lists`: the instructor's CSV files that name students, such as aliases. Raises NotErasable, and FolderInUse if
-    another run uses the gradebook.
+    `lists`: the instructor's CSV files that name students, such as aliases. Raises NotErasable, or FolderInUse if
+    another run is using the gradebook.
     """
     path = out / RESULTS
     if not path.is_file():
@@ -104,7 +107,7 @@ def _alike(name: str) -> str:
 
 
 def _text(path: Path) -> str:
-    """Return a file's text unchanged, including line endings and undecodable bytes."""
+    """Return a file's content unchanged, including line endings and undecodable bytes."""
     return path.read_bytes().decode("utf-8", "surrogateescape")
 
 
@@ -141,7 +144,7 @@ def _numbered(text: str) -> list[tuple[int, str]]:
 
 
 def _whole(read: Callable[[str], Read], path: Path, number: int, line: str) -> Read:
-    """Parse a line. Raises NotErasable if it's unreadable, because it may be about any student."""
+    """Parse a line. Raises NotErasable if the line is invalid, because then it could be about this student."""
     try:
         return read(line)
     except (ValueError, RecursionError) as error:
@@ -157,7 +160,7 @@ def _change_of(line: str) -> Override:
 
 
 def _names_of(student: str, known: Sequence[str]) -> tuple[str, ...]:
-    """Return all known names that look like `student`, or that tables show that way.
+    """Return all known names that look like `student`, or that tables show as `student`.
 
     Raises NotErasable if there are none.
     """
@@ -175,7 +178,7 @@ def _cells(names: Sequence[str]) -> set[str]:
 
 
 def _recordings(out: Path, results: Sequence[Result]) -> set[Path]:
-    """Return these results' recordings, except paths outside the folder, because we didn't write those."""
+    """Return the paths of these results' recordings, except paths outside of the recordings' folder."""
     folder = (out / "recordings").resolve()
     names = {name for one in results for name in (one.recording, *(a.recording for a in one.tries)) if name}
     return {out / name for name in names if (out / name).resolve().parent == folder}
@@ -197,7 +200,7 @@ def _split(path: Path, pairs: Sequence[tuple[str, Result | Override]], names: Se
 
 
 def _rows(path: Path, cells: Set[str], column: str | None = None) -> Lines:
-    """Return the rows of a CSV file that name the student in `column`, or anywhere if `column` is None."""
+    """Split a CSV file's rows by whether they name the student in `column`, or anywhere if `column` is None."""
     try:
         text = _text(path)
     except OSError as error:
@@ -222,7 +225,7 @@ def _rows(path: Path, cells: Set[str], column: str | None = None) -> Lines:
 
 
 def export(found: Holdings, archive: Path) -> Path:
-    """Pack everything into a new zip file. Raises NotErasable if that file already exists."""
+    """Pack all data about the student into a new zip file. Raises NotErasable if that file already exists."""
     if archive.exists():
         raise NotErasable(f"{archive} is there already: name a new file with --to")
     partial = archive.with_name(f".{archive.name}.part")
@@ -241,9 +244,10 @@ def export(found: Holdings, archive: Path) -> Path:
 
 
 def erase(found: Holdings, load: Callable[[str], Exercise] = load_exercise) -> list[str]:
-    """Erase everything about the student, and rebuild the class page. Return sentences about problems.
+    """Erase all data about the student, and rebuild the class page. Return sentences about problems.
 
-    The results are erased last. So if the run is interrupted, another run still finds the rest.
+    The student's results are erased last. So if this function is interrupted, calling it again still finds the
+    remaining data.
     """
     said = _rebuild_class_page(found, load)
     for path in found.files:

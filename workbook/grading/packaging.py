@@ -22,16 +22,16 @@ _REVISION = re.compile(r"[0-9a-f]{40}")
 
 
 class CannotPackage(RuntimeError):
-    """The package can't be built. The message says why and what to do."""
+    """Raised when the package can't be built. The message says why and what to do."""
 
 
 # --- Gradescope -----------------------------------------------------------------------------------------------------
 
 
 def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
-    """Write one exercise's autograder as a zip file. Return the names of the files in it.
+    """Write one exercise's autograder as a zip file. Return the names of the files in the zip file.
 
-    The same course always gives the same bytes.
+    For the same course, the bytes are always the same.
     """
     entries: dict[str, tuple[bytes, bool]] = {
         "setup.sh": ((GRADESCOPE_FILES / "setup.sh").read_bytes(), True),
@@ -60,9 +60,9 @@ def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
 
 
 def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes]]:
-    """Yield the files needed to grade one exercise, with their names relative to the course.
+    """Yield the files that are needed to grade one exercise: their names relative to the course, and their contents.
 
-    Other exercises, lessons, and answers are left out.
+    Other exercises, the lessons, and example answers are left out.
     """
     stem = exercise.stem
     for name in _PROJECT:
@@ -83,7 +83,10 @@ def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes
 
 
 def files_below(course: Path, folder: str) -> Iterator[tuple[str, bytes]]:
-    """Yield the files in a folder of the course, with their names. Skip files that tools and editors leave there."""
+    """Yield the names and contents of the files in a folder of the course.
+
+    Skip files that tools and editors leave there.
+    """
     for path in sorted((course / folder).rglob("*")):
         parts = path.relative_to(course / folder).parts
         left_by_tools = any(part.startswith(".") or part == "__pycache__" for part in parts)
@@ -99,8 +102,8 @@ def classroom_workflow(
 ) -> Path:
     """Write the workflow for a class repository into `folder`. Return the workflow's path.
 
-    `address` and `revision` name the course's Git repository and commit. `reporter`: also report the points to GitHub
-    Classroom. Raises CannotPackage for an invalid address or commit.
+    `address` and `revision` identify the course's Git repository and commit. `reporter`: whether to also report the
+    points to GitHub Classroom. Raises CannotPackage if the address or the commit is invalid.
     """
     if not _ADDRESS.fullmatch(address):
         raise CannotPackage(f"{address!r} is not an address that git can fetch from")
@@ -117,7 +120,10 @@ def classroom_workflow(
 
 
 def _reporter(exercises: Sequence[Exercise]) -> str:
-    """Return the step that reports to Classroom. If the judge wrote no output, this step reports a fallback."""
+    """Return the workflow's step that reports the points to GitHub Classroom.
+
+    If the judge didn't write any output, the step reports that the judge didn't finish.
+    """
     names, lines = [], []
     for exercise in exercises:
         for name, criterion in runners(exercise).items():
@@ -136,9 +142,9 @@ def _reporter(exercises: Sequence[Exercise]) -> str:
 
 
 def origin_of(course: Path) -> str:
-    """Return the HTTPS address of the course's Git repository. An SSH address is converted, because it needs a key.
+    """Return the HTTPS address of the course's Git repository. An SSH address is converted, because it requires a key.
 
-    Raises CannotPackage if git doesn't know the address, or if others can't fetch from it.
+    Raises CannotPackage if git doesn't know the address or if other people can't fetch from it.
     """
     advice = "Say where the course can be found: --course https://..."
     origin = _git(course, "remote", "get-url", "origin", otherwise=advice)
@@ -150,9 +156,9 @@ def origin_of(course: Path) -> str:
 
 
 def commit_of(course: Path) -> str:
-    """Return the course's current commit.
+    """Return the ID of the course's current commit.
 
-    Raises CannotPackage if there are uncommitted changes, or git fails.
+    Raises CannotPackage if there are uncommitted changes or if git fails.
     """
     advice = "Say which commit is meant: --revision COMMIT"
     if _git(course, "status", "--porcelain", "--untracked-files=no", otherwise=advice):

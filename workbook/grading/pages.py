@@ -1,6 +1,6 @@
 """Render a student's page in the gradebook.
 
-The page needs no network and no script. (For the class's page, see `class_page`.)
+The page doesn't need a network connection or a script. For the page about the class, see `class_page`.
 """
 
 import hashlib
@@ -31,7 +31,7 @@ def page_name(student: str, exercise: str) -> str:
 
 
 def judgement_of(result: Result, out: Path) -> Judgement:
-    """Rebuild the judgment from a result, including its stored recording if that can be read."""
+    """Rebuild the judgment from a result and, if it can be read, the result's stored recording."""
     recording = None
     if result.recording is not None:
         try:
@@ -50,7 +50,7 @@ def judgement_of(result: Result, out: Path) -> Judgement:
 
 
 def student_page(result: Result, exercise: Exercise, out: Path) -> str:
-    """Return one student's page: the card, the expected and received messages over time, and the log."""
+    """Return one student's page: the feedback card, the expected and received messages over time, and the log."""
     judgement = judgement_of(result, out)
     timeline, words = None, ""
     if judgement.recording is not None and exercise.periods:

@@ -1,4 +1,4 @@
-"""Judge stored recordings again with changed criteria, without running programs and without ROS."""
+"""Judge stored recordings again after the criteria have changed, without running programs and without ROS."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -19,7 +19,7 @@ NO_RECORDING = "no recording of it was kept. Run `workbook grade` on the answers
 
 @dataclass(frozen=True)
 class CriterionChange:
-    """A criterion's points before and after. None means that the criterion didn't exist then, or no longer exists."""
+    """A criterion's points before and after regrading. None means that the result doesn't have this criterion."""
 
     id: str
     before: float | None
@@ -28,10 +28,10 @@ class CriterionChange:
 
 @dataclass(frozen=True)
 class Regraded:
-    """The effect of judging one student's result again.
+    """The effect of judging one student's recordings again.
 
-    `problem`: why the answer couldn't be judged again; empty if it could be. `criteria`: the criteria whose points
-    changed, and those that were added or removed.
+    `problem`: why the recordings couldn't be judged again, or "" if they could. `criteria`: the criteria whose points
+    changed, including criteria that were added or removed.
     """
 
     student: str
@@ -42,7 +42,7 @@ class Regraded:
 
     @property
     def changed(self) -> bool:
-        """Whether any points changed; False if the result couldn't be judged again."""
+        """Whether any points changed. It's False if the recordings couldn't be judged again."""
         return not self.problem and (self.before != self.after or bool(self.criteria))
 
 
@@ -63,14 +63,15 @@ def _points(lines: tuple[CriterionLine, ...]) -> Mapping[str, float]:
 
 
 class CannotRegrade(RuntimeError):
-    """A result cannot be judged again. The message says why."""
+    """Raised when a result can't be judged again. The message says why."""
 
 
 def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
-    """Judge every student's stored recording again, without running programs, and append the new results.
+    """Judge every student's stored recordings again, without running programs, and append the new results.
 
-    Nothing is appended if a result stays the same and was made with exactly these criteria. A result that has no mark
-    because a criterion crashed is judged again, too. Raises FolderInUse.
+    A new result isn't appended if it's the same as before and the earlier result was made with exactly these criteria.
+    A result without a score because a criterion crashed is judged again, too. Raises FolderInUse if another run is
+    using the folder.
     """
     with ResultsFile(out / RESULTS) as file:
         known = last_results(out / RESULTS)
@@ -79,9 +80,9 @@ def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
 
 
 def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> Regraded:
-    """Judge a recording again, even if the criteria are unchanged.
+    """Judge a result's recordings again, even if the criteria are unchanged.
 
-    That's necessary because a judgment also depends on other parts of the course.
+    A judgment also depends on other parts of the course, which may have changed.
     """
     if result.status != "graded" and result.tries:  # no try counted, and judging again can't change that
         return Regraded(result.student, result.score, None, NO_SCORE)
@@ -100,14 +101,14 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
 def _made_by(result: Result, criteria: str = "") -> tuple[str, str]:
     """Return the workbook version and the criteria's hash with which a result was made.
 
-    If `criteria` is given, return the current workbook version and this hash.
+    If `criteria` is given, return the current workbook version and `criteria` instead.
     """
     made = versions(criteria) if criteria else result.versions
     return made.workbook, made.criteria
 
 
 def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
-    """Return the new result, or the reason that there is none."""
+    """Return the new result, or the reason why there is none."""
     try:
         tries = [
             _judged_again(out / name, inconclusive_reason, end_only, exercise, result.answer_sha256)
@@ -135,15 +136,15 @@ def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
         result.reason or "" if result.status == "graded" else "",
     )
     new = graded_result(submission, tries, GradedBy(exercise, result.isolation, out))
-    # the program ran with the earlier rclpy and Python, no matter which versions judge its recording now
+    # the program ran with the earlier rclpy and Python, whatever versions judge its recording now
     ran = result.versions
     return replace(new, versions=replace(new.versions, rclpy=ran.rclpy, python=ran.python))
 
 
 def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
-    """Yield (recording, reason, end only) for each try: why it was inconclusive, and whether only the end was.
+    """Yield each stored try's recording, the reason why it was inconclusive, and whether only its end was.
 
-    A try has no recording if the slot died during it; such a try is left out.
+    A try without a recording, during which the slot failed, is left out.
     """
     if not result.tries and result.recording is not None:
         yield result.recording, result.inconclusive_reason, False

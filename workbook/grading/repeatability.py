@@ -1,4 +1,4 @@
-"""Measure how repeatable verdicts are by judging the same answers many times."""
+"""Measure how repeatable verdicts are, by judging the same answers many times."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -10,7 +10,7 @@ from workbook.grading.judges import GradingBackend, Job
 
 @dataclass(frozen=True)
 class Unsteady:
-    """An answer whose verdict varies. `verdicts`: each verdict, and how often it occurred."""
+    """An answer whose verdict varies. `verdicts`: each verdict with the number of times that it occurred."""
 
     student: str
     verdicts: tuple[tuple[str, int], ...]

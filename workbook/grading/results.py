@@ -1,7 +1,7 @@
-"""Define a result: one line of `results.jsonl`, from which every export is made.
+"""Define a result, which is one line of `results.jsonl`. All exports are made from results.
 
 These classes are the schema: their fields are stored in this order (see `workbook.recording.codec`). Fields that a
-newer version added are kept in `unknown`, and written back.
+newer version added are kept in `unknown` and written back.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ StudentAndExercise = tuple[str, str]
 
 @dataclass(frozen=True)
 class CriterionLine:
-    """The result of one criterion."""
+    """The result of one criterion, as it's stored."""
 
     id: str
     title: str
@@ -36,7 +36,7 @@ class CriterionLine:
 
     @property
     def is_lost(self) -> bool:
-        """Whether the criterion failed or passed only in part."""
+        """Whether the criterion failed completely or in part."""
         return self.status in ("failed", "partial")
 
     def told(self) -> list[str]:
@@ -48,7 +48,7 @@ class CriterionLine:
 
 @dataclass(frozen=True)
 class ProcessSummary:
-    """The way the program ended, and the beginning of its log. `unfiltered`: see `ProcessRecord`."""
+    """How the program exited, and the beginning of its log. `unfiltered`: see `ProcessRecord`."""
 
     exit: int | None
     signal: str | None
@@ -60,7 +60,7 @@ class ProcessSummary:
 
 @dataclass(frozen=True)
 class Versions:
-    """The versions that a result was made with. `criteria`: SHA-256 of everything that affects the judgment."""
+    """The versions with which a result was made. `criteria`: SHA-256 of the criteria's files and the driver."""
 
     workbook: str
     criteria: str
@@ -75,9 +75,9 @@ class Versions:
 
 @dataclass(frozen=True)
 class Try:
-    """One judgment of an answer that was tried more than once. `counts`: whether it became the result.
+    """One judgment of an answer that was judged more than once. `counts`: whether this judgment became the result.
 
-    `end_only`: whether only the points for how the program ends are inconclusive.
+    `end_only`: whether only the criteria about the program's exit are inconclusive.
     """
 
     counts: bool
@@ -95,12 +95,13 @@ class Try:
 
 @dataclass(frozen=True)
 class Result:
-    """The result for one answer. `score` is None unless it was graded, so an error in the judge never counts as a zero.
+    """The result for one answer.
 
-    `answer`: the path of the file as it was handed in. `recording`: the recording's path, relative to the results'
-    folder. `tries`: all judgments of an answer that was tried more than once, because the first was inconclusive
-    (`inconclusive_reason`). `why_this_try`: which try counts and why, as a sentence. `late_points`: the late penalty,
-    subtracted from `score`; always 0 in the file. `by_hand`: a person's changes; always empty in the file.
+    `score` is None unless the answer was graded, so an error in the judge never counts as zero. `answer`: the path of
+    the file as it was handed in. `recording`: the recording's path, relative to the folder with the results. `tries`:
+    all judgments of an answer that was judged more than once, because the first judgment was inconclusive
+    (`inconclusive_reason`). `why_this_try`: a sentence that says which try counts and why. `late_points` and `by_hand`
+    aren't stored: the late penalty, which has been subtracted from `score`, and the changes that a person made.
     """
 
     student: str
@@ -135,21 +136,21 @@ class Result:
 
     @property
     def tries_differ(self) -> bool:
-        """Whether the answer was tried more than once, with different results."""
+        """Whether the answer was judged more than once and got different scores."""
         return len({_told(one) for one in self.tries}) > 1
 
     @property
     def isolation_problem(self) -> str:
-        """A sentence about the protection that the isolation tier couldn't provide; empty if nothing was missing."""
+        """A sentence about protection that the isolation tier couldn't provide, or "" if nothing was missing."""
         problem = "" if self.process is None else self.process.unfiltered
         return f"Its system calls were not filtered: {problem}." if problem else ""
 
     def changed_by_hand(self) -> str:
-        """Describe a person's changes to the result, with the reasons; empty if there are none."""
+        """Describe the changes that a person made to the result, with the reasons, or return "" if there are none."""
         return " ".join(one.told() for one in self.by_hand)
 
     def tried_twice(self) -> str:
-        """Describe the results of all tries in a sentence; empty if the answer was judged once."""
+        """Describe the results of all tries in a few sentences, or return "" if the answer was judged only once."""
         if len(self.tries) < 2:
             return ""
         often = "twice" if len(self.tries) == 2 else f"{len(self.tries)} times"
@@ -165,7 +166,7 @@ def _told(one: Try) -> str:
 
 
 def criterion_line(judged: CriterionResult) -> CriterionLine:
-    """Return the stored form of a judged criterion."""
+    """Convert a criterion's result to the form in which it's stored."""
     return CriterionLine(
         id=judged.id,
         title=judged.title,
@@ -181,7 +182,7 @@ def criterion_line(judged: CriterionResult) -> CriterionLine:
 
 
 def criterion_result(line: CriterionLine) -> CriterionResult:
-    """Rebuild a judged criterion from its stored form."""
+    """Convert a criterion's result back from the form in which it's stored."""
     return CriterionResult(
         id=line.id,
         title=line.title,

@@ -1,4 +1,4 @@
-"""Read and write `results.jsonl`, which has one line per attempt. The last line of each answer counts.
+"""Read and write `results.jsonl`, which has one line per attempt. For each student and exercise, the last line counts.
 
 Each line is appended and flushed as soon as its attempt finishes.
 """
@@ -20,7 +20,7 @@ RESULTS = "results.jsonl"
 
 @dataclass(frozen=True)
 class BrokenLine:
-    """A line of the file that isn't a valid result. `number` counts from 1."""
+    """A line of the file that isn't a valid result. `number`: the line number, starting at 1."""
 
     path: Path
     number: int
@@ -37,23 +37,23 @@ TellBroken = Callable[[BrokenLine], None]
 
 
 def tell_nobody(broken: BrokenLine) -> None:
-    """Ignore a broken line, because another pass over the file reports it."""
+    """Ignore an invalid line, because another pass over the file reports it."""
 
 
 def line_of(result: Result) -> str:
-    """Return a result as a line of the file. Raises ValueError for values that JSON can't represent."""
+    """Return a result as a line of the file. Raises ValueError if JSON can't represent a value in it."""
     return json.dumps(encode(result), allow_nan=False, ensure_ascii=False) + "\n"
 
 
 def result_of(line: str | bytes) -> Result:
-    """Parse a line that `line_of` wrote. Raises ValueError."""
+    """Parse a line that `line_of` returned. Raises ValueError if the line is invalid."""
     return decode(Result, json.loads(line))
 
 
 def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[Result]:
-    """Yield all results in a file; none if the file doesn't exist. Call `tell_broken` for each invalid line.
+    """Yield all results in a file, or none if the file doesn't exist. Call `tell_broken` for each invalid line.
 
-    Skip an incomplete last line, which remains if a run is killed while writing.
+    Skip an incomplete last line, which remains when a run is killed while it's writing.
     """
     if not path.exists():
         return
@@ -72,12 +72,12 @@ def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[
 
 
 def last_results(path: Path, tell_broken: TellBroken = tell_nobody) -> dict[StudentAndExercise, Result]:
-    """Return the current result for each (student, exercise), which is the last complete line for it."""
+    """Return the current result for each student and exercise, which is their last complete line."""
     return {result.key: result for result in read_results(path, tell_broken)}
 
 
 class Done(NamedTuple):
-    """The parts of an earlier result that decide whether an answer must be judged again."""
+    """The parts of an earlier result from which we decide whether an answer must be judged again."""
 
     status: str
     answer_sha256: str
@@ -89,7 +89,7 @@ class Done(NamedTuple):
 def done_before(path: Path, exercise: str) -> dict[str, Done]:
     """Return the earlier results of one exercise, keyed by student.
 
-    They contain so little data that even a large class's results fit into memory.
+    Only parts of the results are returned, so that even a large class's results fit into memory.
     """
     return {
         result.student: Done(
@@ -101,11 +101,11 @@ def done_before(path: Path, exercise: str) -> dict[str, Done]:
 
 
 class FolderInUse(OSError):
-    """Another run writes to the same folder. The message names the folder and the next step."""
+    """Raised when another run is writing to the same folder. The message names the folder and the next step."""
 
 
 class ResultsFile:
-    """Appends results. Each one is flushed to disk before its answer counts as done.
+    """Appends results to the file. Each result is flushed to disk before its answer counts as done.
 
     Only one process may have the file open. In any other process, opening it raises FolderInUse.
     """
@@ -137,7 +137,7 @@ class ResultsFile:
                 file.truncate(raw.rfind(b"\n") + 1)
 
     def append(self, result: Result) -> None:
-        """Write one result, and return once it's on disk. Raises an OSError that names the file."""
+        """Write one result, and return when it's on disk. On failure, raises an OSError that names the file."""
         with naming(Path(self._file.name)):
             self._file.write(line_of(result))
             self._file.flush()

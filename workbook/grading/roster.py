@@ -9,7 +9,7 @@ from workbook.grading.hand_ins import HandIn, one_for_each, one_spelling
 
 
 class BadOption(ValueError):
-    """An option, or a file named by an option, can't be used. The message says why."""
+    """Raised when an option, or a file that an option names, can't be used. The message says why."""
 
 
 @dataclass(frozen=True)
@@ -25,15 +25,15 @@ class Roster:
     def hand_ins(self, found: Sequence[HandIn]) -> list[HandIn]:
         """Return one hand-in per student, sorted, with the student's name from the aliases.
 
-        If a student has several hand-ins, all of them are rejected. A hand-in is also rejected if aliases give it to
-        two students. It's rejected, too, if it's named after one student but an alias gives it to another.
+        If a student has several hand-ins, all of them are rejected. A hand-in is also rejected if aliases assign it to
+        two students, or if it's named after one student but an alias assigns it to another.
         """
         students = set(self.aliases.values())
         students |= {one.student for one in found if not self._owners(one)}
         return one_for_each([mine for one in found for mine in self._given(one, students)])
 
     def unused(self, found: Sequence[HandIn]) -> list[str]:
-        """Return the aliases that match no hand-in."""
+        """Return the aliases that don't match any hand-in."""
         names = {name for one in found for name in _names(one)}
         return [name for name in self.aliases if name not in names]
 
@@ -43,8 +43,8 @@ class Roster:
     def _given(self, hand_in: HandIn, students: Set[str]) -> list[HandIn]:
         """Return the hand-in under its student's name.
 
-        If an alias makes it unclear which of several students it belongs to, return a rejected hand-in for each of
-        them.
+        If aliases make it unclear which of several students the hand-in belongs to, return a rejected hand-in for each
+        of these students.
         """
         owners = self._owners(hand_in)
         if not owners:
@@ -63,16 +63,17 @@ class Roster:
 
 
 def _names(hand_in: HandIn) -> tuple[str, ...]:
-    """Return the names by which an alias may refer to a hand-in: its path, or its top file's or folder's name.
+    """Return the names by which an alias may refer to a hand-in: its path, or its name at the top level.
 
-    Names further down don't count: students choose these, so a student could choose another student's alias.
+    Names of files and folders further down don't count, because students choose these, and one of them could choose the
+    name in another student's alias.
     """
     label = one_spelling(hand_in.label)
     return label, *Path(label).parts[:1], hand_in.student
 
 
 def about_unused(names: Sequence[str]) -> str:
-    """Return a sentence about unused aliases, naming the first few; empty if every alias was used."""
+    """Return a sentence about unused aliases that names the first few, or "" if there are none."""
     if not names:
         return ""
     what = "1 alias fits" if len(names) == 1 else f"{len(names)} aliases fit"
@@ -81,7 +82,10 @@ def about_unused(names: Sequence[str]) -> str:
 
 
 def read_aliases(path: Path) -> dict[str, str]:
-    """Read aliases from a CSV with two columns: file or folder name, and student. Raises BadOption."""
+    """Read aliases from a CSV file with two columns: file or folder name, and student.
+
+    Raises BadOption if a line is invalid.
+    """
     aliases: dict[str, str] = {}
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:

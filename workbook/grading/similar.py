@@ -1,8 +1,8 @@
 """Find pairs of answers that differ only in names, comments, and layout. A match is a hint, never a verdict.
 
-The method is winnowing, as in MOSS (Schleimer, Wilkerson, and Aiken, 2003) and as implemented by `copydetect`. Each
-name is replaced by the same letter, and comments and spaces are removed. The rest is compared by fingerprints. Short
-programs for the same task look alike even if no student copied.
+The method is winnowing, as in MOSS (Schleimer, Wilkerson, and Aiken, 2003) and as implemented by `copydetect`. Every
+name is replaced with the same letter, and comments and spaces are removed. Of the rest, hashes of substrings, called
+*fingerprints*, are compared. Short programs for the same task look alike even if no student has copied.
 """
 
 from collections.abc import Mapping
@@ -11,26 +11,27 @@ from itertools import combinations
 from typing import Any
 
 RUN = 25
-"""A fingerprint's length in characters.
+"""The length, in characters, of the substring from which a fingerprint is computed.
 
-`FOUND_FOR_SURE` is the shortest common text that's always found, in characters. Both are copydetect's defaults.
+`FOUND_FOR_SURE` is the length of the shortest common substring that's certain to be found. Both values are copydetect's
+defaults.
 """
 FOUND_FOR_SURE = 30
 ALIKE = 0.9
-"""The share of fingerprints that two answers must have in common to be listed."""
+"""The fraction of fingerprints that two answers must have in common to be listed."""
 FEWEST = 10
-"""The fewest fingerprints that an answer needs to be compared, not counting the starter's fingerprints."""
+"""The minimum number of fingerprints that an answer needs to be compared, not counting the starter's fingerprints."""
 LONGEST = 100_000
-"""The most characters of an answer. Longer answers aren't compared."""
+"""The maximum length of an answer, in characters. Longer answers aren't compared."""
 
 
 class NoComparison(RuntimeError):
-    """Answers can't be compared on this machine. The message says what to install."""
+    """Raised when answers can't be compared on this machine. The message says what to install."""
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, and the share of fingerprints that their answers have in common."""
+    """Two students, and the fraction `share` of fingerprints that their answers have in common."""
 
     one: str
     other: str
@@ -41,7 +42,7 @@ class Pair:
 class Comparison:
     """The similar pairs, most similar first, and the students whose answers couldn't be compared.
 
-    `compared`: how many answers were compared.
+    `compared`: the number of answers that were compared.
     """
 
     pairs: tuple[Pair, ...]
@@ -51,7 +52,7 @@ class Comparison:
 
 
 def compare(answers: Mapping[str, str], starter: str) -> Comparison:
-    """Compare all answers, keyed by student, with each other. Ignore the starter's lines. Raises NoComparison."""
+    """Compare all answers, keyed by student, with each other. Ignore code from the starter. Raises NoComparison."""
     common = _all_fingerprints(starter)
     too_long = tuple(sorted(name for name, text in answers.items() if len(text) > LONGEST))
     prints = {

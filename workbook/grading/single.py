@@ -1,4 +1,4 @@
-"""Grade a single hand-in, for systems that start a judge for each submission."""
+"""Grade a single hand-in, for systems that start a new judge for each submission."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -18,12 +18,12 @@ from workbook.isolation.tiers import BEST_FIRST, Isolation, named_tier
 
 
 def best_isolation() -> Isolation:
-    """Return the best tier that works on this machine."""
+    """Return the strongest isolation tier that works on this machine."""
     return next((tier for tier in BEST_FIRST if tier_problem(tier) is None), "limits")
 
 
 def choose_isolation(wanted: str) -> Isolation:
-    """Return the tier to use: for "auto", the best one that works; otherwise, the requested one.
+    """Return the isolation tier to use: for "auto", the strongest that works, or else the requested one.
 
     Raises NoSandbox if the requested tier doesn't work on this machine.
     """
@@ -37,7 +37,7 @@ def choose_isolation(wanted: str) -> Isolation:
 
 
 def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolation) -> Result:
-    """Grade one hand-in, with recordings under `out`. If it can't be judged, the result contains the reason."""
+    """Grade one hand-in, and store recordings under `out`. If it can't be judged, the result contains the reason."""
     by = GradedBy(exercise, isolation, out)
     try:
         if hand_in.problem is not None:

@@ -1,4 +1,4 @@
-"""List the files that look like hand-ins but aren't, with the reasons, so that no answer is silently lost."""
+"""List the files that look like hand-ins but aren't, with the reasons, so that no answer is lost unnoticed."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -7,19 +7,19 @@ from pathlib import Path
 from workbook.grading.hand_ins import SKIPPED_FOLDERS, hand_in_root, readable, walk, why_no_answer
 
 _TOOLS = frozenset({".git", ".github", ".vscode", ".idea", ".venv", ".cache", ".config", ".local", ".ros"})
-"""Hidden folders that tools create. No student has such a name."""
+"""Hidden folders that tools create. They can't be a student's folder."""
 
 
 @dataclass(frozen=True)
 class Skipped:
-    """A file or folder that wasn't recognized as a hand-in. `reason`: why not, and what to do."""
+    """A file or folder that wasn't recognized as a hand-in. `reason`: why it wasn't, and what to do."""
 
     label: str
     reason: str
 
 
 def find_skipped(paths: Sequence[Path]) -> list[Skipped]:
-    """Return everything under `paths` that looks like an answer but isn't named like one."""
+    """Return all files and folders under `paths` that look like answers but don't have an answer's name."""
     found: list[Skipped] = []
     for path in paths:
         if path.is_dir():
@@ -46,7 +46,7 @@ def _skipped_below(root: Path) -> Iterator[Skipped]:
 
 
 def about_skipped(found: Sequence[Skipped]) -> str:
-    """Return sentences that list the skipped files, grouped by reason; empty if there are none."""
+    """Return sentences that list the skipped files, grouped by reason, or "" if there are none."""
     if not found:
         return ""
     what = (

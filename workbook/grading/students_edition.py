@@ -1,4 +1,4 @@
-"""Write the students' edition: the course without solutions, example answers, or the instructors' pages."""
+"""Write the students' edition: the course without solutions, example answers, and the instructors' pages."""
 
 import hashlib
 import json
@@ -14,15 +14,15 @@ from workbook.exercise.without_solution import without_solution
 from workbook.grading.packaging import GRADESCOPE_FILES, CannotPackage, files_below
 
 MANIFEST = ".edition.json"
-"""The file with the hash of each file that we wrote into the edition, so that a later run recognizes its own files."""
+"""The name of the file with the hashes of all files in the edition, by which a later run recognizes them."""
 PAGES = ("README.md", "environment.md", "docs/commands.md")
-"""Pages with passages for instructors only, marked by comments; see `for_students`."""
+"""Pages with passages for instructors only, which are marked by comments (see `for_students`)."""
 KEPT = (
     "LICENSE", "LICENSE-TEXT", "pyproject.toml", "requirements.lock", "conftest.py", ".gitignore", ".gitattributes",
 )  # fmt: skip
 FOLDERS = ("workbook", "lesson_nodes", "exercises/criteria", "exercises/drivers", "exercises/partners")
 NOT_FOR_STUDENTS = "workbook/authoring/site/"
-"""The package for the website. It needs pages that the students' edition doesn't have."""
+"""The package for the website, which needs pages that the students' edition doesn't have."""
 FILES = (
     "notebooks/*.ipynb",
     "notebooks/*.md",
@@ -34,7 +34,7 @@ FILES = (
 TARGETS = ("help", "env", "lab", "progress", "test", "clean")
 """The Makefile targets that students need."""
 ITS_OWN = {"tests/test_course.py": "course_tests.txt", "solutions/README.md": "solutions.md"}
-"""Maps each file that only the students' edition has to the file with its text."""
+"""Maps each file that exists only in the students' edition to the file with its content."""
 _INSTRUCTORS = re.compile(r"<!-- for instructors -->\n.*?<!-- end of for instructors -->\n\n?", re.DOTALL)
 _LINE = re.compile(r".*<!-- for instructors -->.*\n")
 _IN_MAKEFILE = {
@@ -48,18 +48,18 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 @dataclass(frozen=True)
 class Edition:
-    """The files that were written. `removed`: files of an earlier edition that this edition no longer has."""
+    """The files of the edition. `removed`: the files of an earlier edition that this edition no longer has."""
 
     files: tuple[str, ...]
     removed: tuple[str, ...] = ()
 
 
 def students_edition(course: Path, target: Path) -> Edition:
-    """Write the students' edition of a course into a folder, or as an archive if `target` ends with .zip.
+    """Write the students' edition of a course to the folder `target`, or to a zip file if `target` ends with .zip.
 
-    If the folder contains an earlier edition, perhaps with its Git history, that edition is updated. The same course
-    always gives the same bytes. Raises CannotPackage if the folder contains anything else, or if a file of the earlier
-    edition was changed by hand. It's also raised if the course has hidden criteria, which students could read.
+    If the folder contains an earlier edition, perhaps with its Git history, that edition is updated. For the same
+    course, the bytes are always the same. Raises CannotPackage if the folder contains other files, if a file of the
+    earlier edition was changed by hand, or if the course has hidden criteria, which students could read.
     """
     files = dict(_files(course))
     if target.suffix == ".zip":
@@ -71,8 +71,8 @@ def students_edition(course: Path, target: Path) -> Edition:
 def for_students(text: str) -> str:
     """Return a page without the passages for instructors.
 
-    Such a passage is between `<!-- for instructors -->` and `<!-- end of for instructors -->`, each on a separate line.
-    A single line, such as a table row, is removed if it contains the first marker.
+    A passage for instructors is between the markers `<!-- for instructors -->` and `<!-- end of for instructors -->`,
+    each on a separate line. A single line, such as a table row, is also removed if it contains the first marker.
     """
     return _LINE.sub("", _INSTRUCTORS.sub("", text))
 
@@ -100,7 +100,7 @@ def source_for_students(course: Path, stem: str) -> str:
     Raises CannotPackage if the exercise has a hidden criterion in the course's folder.
     """
     exercise = load_exercise(stem, course)
-    # Criteria in the instructor's own folder are never copied, but a hidden one in the course's folder would be.
+    # Criteria in the instructor's own folder are never copied, but a hidden criterion in the course's folder would be.
     if any(one.hidden for one in exercise.criteria if one.title in _criteria_text(course, stem)):
         raise CannotPackage(
             f"exercises/criteria/{stem}.py has a hidden criterion, and students could read it. "
@@ -114,7 +114,7 @@ def _criteria_text(course: Path, stem: str) -> str:
 
 
 def _makefile(text: str) -> str:
-    """Reduce the Makefile to the students' targets, and have `make test` run the edition's tests."""
+    """Reduce the Makefile to the students' targets, and make `make test` run the edition's tests."""
     begins = [match.start() for match in _TARGET.finditer(text)]
     head, *targets = (text[a:b] for a, b in zip([0, *begins], [*begins, len(text)], strict=True))
     kept = [one for one in targets if one.partition(":")[0] in TARGETS]
@@ -165,7 +165,7 @@ def _into(files: dict[str, bytes], folder: Path) -> Edition:
 
 
 def _earlier(folder: Path) -> dict[str, str]:
-    """Return the hashes of the files that an earlier run wrote, keyed by file name; empty for a new folder."""
+    """Return the hashes of the files that an earlier run wrote, keyed by file name, or {} for a new folder."""
     if not folder.exists() or not any(one.name != ".git" for one in folder.iterdir()):
         return {}
     try:

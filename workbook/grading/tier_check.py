@@ -1,4 +1,7 @@
-"""Find out which isolation tiers work on this machine by testing each with a slot, which is kept if it works."""
+"""Find out which isolation tiers work on this machine, by starting a slot in the tier and running a test program.
+
+A slot is a process that judges answers. If the tier works, the slot is kept for judging.
+"""
 
 import socket
 from functools import cache
@@ -12,23 +15,23 @@ SELF_TEST_S = 60.0
 
 @cache
 def tier_problem(isolation: Isolation) -> str | None:
-    """Return the reason that a tier doesn't work here, and how to fix it; None if it does work.
+    """Return why a tier doesn't work on this machine and how to fix that, or None if it works.
 
-    The first call takes a second. If the tier works, the slot that tested it is kept for the first answer (see
-    `warm_slots`).
+    The first call for a tier takes a second. If the tier works, the slot that tested it is kept for the first answer
+    (see `warm_slots`).
     """
     return known_problem(isolation) or _try_out(isolation)
 
 
 def best_below_sandbox() -> Isolation:
-    """Return the best tier below "sandbox" that works here."""
+    """Return the strongest tier below "sandbox" that works on this machine."""
     return next((name for name in BEST_FIRST[1:] if tier_problem(name) is None), "limits")
 
 
 def _try_out(isolation: Isolation) -> str | None:
-    """Have a slot run a program of ours in this tier. Return the problem, or None if the tier works.
+    """Have a slot run a test program in this tier. Return the problem, or None if the tier works.
 
-    The slot tests the tier's isolation, and checks that we receive the program's messages.
+    The slot tests the tier's isolation and checks that it receives the program's messages.
     """
     with socket.create_server(("127.0.0.1", 0)) as listener:
         try:

@@ -1,4 +1,4 @@
-"""Implement the owner's side of a slot: start or fork one, send it an answer, and receive the judgment."""
+"""Implement the owner's side of a slot: start or fork the slot, send it an answer, and receive the judgment."""
 
 import contextlib
 import os
@@ -35,34 +35,37 @@ from workbook.programs.fork_client import ForkedProgram, NotForked, request_fork
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
-"""How long judging one answer may take on a slot that always has a processor, in seconds.
+"""The longest time (s) that judging one answer may take on a slot that never has to wait for a processor.
 
-A slot that has to wait for a processor gets more time; see `SlotHealth.slowed_by`.
+A slot that has to wait gets more time (see `SlotHealth.slowed_by`).
 """
 SLOT_MODULE = ("-m", "workbook.grading.slots.worker")
 KILLED_S = 30.0
-"""How long a killed slot and its answer's leftover processes may take to end, in seconds."""
+"""The longest time (s) that we wait for a killed slot and its answer's leftover processes to exit."""
 SERVER_MODULE = ("-m", "workbook.grading.slots.forking")
 UNTRIED = "no slot has tried it yet"
 TRIAL_S = 60.0
 END_S = 5.0
 FORKED_S = 30.0
-"""How long forking a slot may take, in seconds. For the first slot, that includes the server's start."""
+"""The longest time (s) that forking a slot may take. For the first slot, that includes the server's start."""
 
 ShowProgress = Callable[[Progress], None]
 
 
 class SlotBroken(RuntimeError):
-    """The slot ended or didn't respond in time, so the answer wasn't judged. The message says what happened."""
+    """Raised when the slot exited or didn't respond in time, so the answer wasn't judged.
+
+    The message says what happened.
+    """
 
 
 class NotBegun(SlotBroken):
-    """The slot couldn't start, so no answer is to blame. The message says why."""
+    """Raised when the slot couldn't start. The message says why. The answer isn't to blame."""
 
 
 def slot_environment(own_criteria: Path | None) -> dict[str, str]:
     """Return the environment for starting a slot."""
-    # A slot creates its own log folder. If we created one and were killed, it would stay behind.
+    # A slot creates its own log folder. If we created the folder and were killed, it would stay behind.
     environ = child_environment(0, log_folder=Path(os.devnull))
     del environ["ROS_DOMAIN_ID"]
     for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
@@ -75,7 +78,10 @@ def slot_environment(own_criteria: Path | None) -> dict[str, str]:
 
 
 class ForkedSlot:
-    """A slot forked by the server. Implements the part of `subprocess.Popen` that the slot's owner uses."""
+    """A slot that was forked by a SlotServer.
+
+    It implements the part of `subprocess.Popen` that the slot's owner uses.
+    """
 
     def __init__(self, child: ForkedProgram, stdin: IO[bytes], stdout: IO[bytes]) -> None:
         self._child = child
@@ -90,12 +96,12 @@ class ForkedSlot:
     def poll(self) -> int | None:
         """Return the exit code, or None while the slot or its leftover processes exist.
 
-        A negative code is the number of the signal that ended the slot.
+        A negative code -n means that signal n killed the slot.
         """
         return self._child.poll()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the slot to end, and return its exit code.
+        """Wait for the slot to exit, and return its exit code.
 
         Raises subprocess.TimeoutExpired after `timeout` seconds.
         """
@@ -105,10 +111,10 @@ class ForkedSlot:
 
 
 class SlotServer:
-    """The process that forks one run's slots, all in one tier. Thread-safe.
+    """The process that forks a run's slots, all of them in the same isolation tier. Thread-safe.
 
-    `environ`: the environment for each slot. The constructor doesn't wait for the server to start; see `fork`. Raises
-    NoSandbox.
+    `environ`: the environment for each slot. The constructor doesn't wait until the server can fork; `fork` does.
+    Raises NoSandbox if the tier is "sandbox" and bubblewrap isn't installed.
     """
 
     def __init__(self, isolation: Isolation, environ: Mapping[str, str]) -> None:
@@ -136,12 +142,15 @@ class SlotServer:
 
     @property
     def pid(self) -> int:
-        """The server's local process, whose process tree contains the slots."""
+        """The ID of the server's process on this machine, whose process tree contains the slots."""
         return self._process.pid
 
     @property
     def is_tried(self) -> bool:
-        """Whether a slot has been forked as a test. Until then, all callers of `fork` wait for that test."""
+        """Whether the first slot has been forked and has tested its tier.
+
+        Until then, all callers of `fork` wait for that test.
+        """
         return self._problem != UNTRIED
 
     @property
@@ -150,10 +159,10 @@ class SlotServer:
         return self._process.poll() is None
 
     def fork(self, groups: LeasedGroups | None) -> ForkedSlot:
-        """Fork a slot. `groups`: the memory cgroups that the caller leased for it. Raises NotForked and OSError.
+        """Fork a slot. `groups`: the memory cgroups that the caller leased for it. Raises NotForked or OSError.
 
-        The first slot tests its tier while other callers wait. The test is necessary because a forked slot runs in a
-        sandbox within a sandbox.
+        The first slot tests whether its isolation tier works, while other callers wait. The test is necessary because a
+        forked slot runs in a sandbox within a sandbox, which may not work.
         """
         with self._trial:
             if self._problem == UNTRIED:
@@ -172,7 +181,10 @@ class SlotServer:
         return self._fork(groups)
 
     def _tried(self, groups: LeasedGroups | None) -> tuple[ForkedSlot, str | None]:
-        """Fork a slot, and have it test its tier. Return the slot, and the tier's problem if there is one."""
+        """Fork a slot, and have it test its tier.
+
+        Return the slot, and the reason why the tier doesn't work, or None if it works.
+        """
         with socket.create_server(("127.0.0.1", 0)) as listener:
             slot = self._fork(groups, listener.getsockname()[1])
             try:
@@ -201,7 +213,7 @@ class SlotServer:
         return ForkedSlot(child, os.fdopen(stdin, "wb"), os.fdopen(stdout, "rb"))
 
     def close(self) -> None:
-        """End the server and its remaining slots."""
+        """Stop the server and its remaining slots."""
         self._channel.close()
         for number in (signal.SIGTERM, signal.SIGKILL):
             with contextlib.suppress(subprocess.TimeoutExpired):
@@ -217,12 +229,13 @@ class SlotServer:
 
 
 class Slot:
-    """A running slot process. Not thread-safe.
+    """A slot, as a running process. Not thread-safe.
 
-    `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, if it
-    differs from this process's. `port`: the port of a listener on this machine; if it's given, the slot first tests
-    whether the tier isolates programs (see `problem`). `server`: forks the slot if possible; it must have the same tier
-    and environment. Raises SlotBroken if no user ID is free for the "uid" tier.
+    `isolation`: the isolation tier in which programs run (see `workbook.isolation.tiers`). `own_criteria`: the folder
+    with an instructor's own criteria, or None for the same folder as in this process. `port`: the port of a listener on
+    this machine, or None. If it's given, the slot first tests whether the tier isolates programs (see `problem`).
+    `server`: the server from which the slot is forked if possible. It must have the same tier and environment. Raises
+    SlotBroken if no user ID is free for the "uid" tier.
     """
 
     def __init__(
@@ -249,7 +262,7 @@ class Slot:
         self._lines = LineReader(self._process.stdout.fileno())
 
     def _forked(self, server: SlotServer | None) -> tuple[ForkedSlot, SlotHealth] | None:
-        """Have the server fork a slot. Return None if there is no server, or if forking fails."""
+        """Have the server fork a slot. Return None if there is no server or if forking fails."""
         if server is None:
             return None
         try:
@@ -277,9 +290,9 @@ class Slot:
         return process, SlotHealth(process.pid, SLOT_MODULE)
 
     def problem(self, timeout_s: float) -> str | None:
-        """Return the reason that the slot's tier doesn't isolate programs on this machine; None if it does.
+        """Return why the slot's tier doesn't isolate programs on this machine, or None if it does.
 
-        Call it before the first job, on a slot that tests its tier.
+        Call this method before the first job, and only if the slot was created with a `port`.
 
         Raises SlotBroken if the slot hasn't finished the test after `timeout_s` seconds.
         """
@@ -289,11 +302,11 @@ class Slot:
 
     @property
     def is_running(self) -> bool:
-        """Whether the slot's process is alive."""
+        """Whether the slot's process is running."""
         return self._process.poll() is None
 
     def _read_line(self, began: float, timeout_s: float) -> Message:
-        """Return the next message. Raises SlotBroken if it doesn't arrive in time, or if the slot has a problem.
+        """Return the slot's next message. Raises SlotBroken if it doesn't arrive in time or if the slot has a problem.
 
         The slot has `timeout_s` seconds from `began`, and more if other processes keep the machine busy.
         """
@@ -328,9 +341,9 @@ class Slot:
         report: Report | None = None,
         progress: ShowProgress | None = None,
     ) -> Judgement:
-        """Judge one answer; see `Judge.judge`. After SlotBroken, this slot can't be used any more.
+        """Judge one answer. See `Judge.judge`. After SlotBroken, the slot can't be used anymore.
 
-        `progress` is called several times a second.
+        `progress` is called several times per second.
         """
         order = JudgingOrder(stem, answer.text, soak, seed, progress is not None)
         self._health.begin()
@@ -358,12 +371,12 @@ class Slot:
         self._process.stdin.flush()
 
     def cancel_soak(self) -> None:
-        """End the real-time watch of the judged program early. Thread-safe."""
+        """Cancel the real-time watch of the judged program. Thread-safe."""
         with contextlib.suppress(OSError, ValueError):
             self._send(line_of(ENOUGH))
 
     def close(self) -> None:
-        """End the slot by closing its input. If it hasn't ended after two seconds, kill it."""
+        """Stop the slot by closing its input. If it's still running after two seconds, kill it."""
         if self._process.stdin is not None:
             try:
                 self._process.stdin.close()
@@ -378,22 +391,22 @@ class Slot:
             self._process.stdout.close()
 
     def kill(self) -> None:
-        """End the slot right away, including the program that it watches and all its child processes."""
+        """Kill the slot, the program that it watches, and all child processes of the program."""
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(self._process.pid, signal.SIGKILL)
-        with contextlib.suppress(subprocess.TimeoutExpired):  # if it expires, the slot's server is stuck
+        with contextlib.suppress(subprocess.TimeoutExpired):  # on a timeout, the slot's server is stuck
             self._process.wait(KILLED_S)
         kill_programs_of(self._process.pid)
         self._sweep()
 
     def _sweep(self) -> None:
-        """Remove the slot's memory cgroups, end processes with its user ID, and release the ID."""
+        """Remove the slot's memory cgroups, kill the processes with its user ID, and release the ID."""
         if self._groups is not None:
             self._groups.remove()
         if self._ids is not None:
             try:
                 self._ids.sweep()
-            except StillThere:  # no other slot may get this id while one of its processes runs
+            except StillThere:  # no other slot may get this ID while a process is still running under it
                 return
             self._ids.release()
             self._ids = None

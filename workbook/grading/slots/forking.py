@@ -1,15 +1,15 @@
-"""Fork slots, so that Python, the judge, and rclpy are loaded only once.
+"""Fork slots, so that Python, the judge, and rclpy are loaded only once for all of them.
 
     python -m workbook.grading.slots.forking CHANNEL TIER
 
 CHANNEL is the file descriptor of an inherited socket. It carries requests (see `SlotRequest`), each with three
 descriptors: for the slot's status, its standard input, and its standard output. Once the slot is in its sandbox, it
-writes its process ID to the status descriptor. After all of its processes have ended, this process adds an empty line
-and the slot's exit status (from `os.waitpid`). A slot that ends too early reports no process ID. The empty line then
-keeps the exit status from being read as the process ID.
+writes its process ID to the status descriptor. After all of the slot's processes have exited, this process adds an
+empty line and the slot's exit status (from `os.waitpid`). If a slot exits too early, it doesn't report a process ID. In
+that case, the empty line keeps the exit status from being read as the process ID.
 
-In the "sandbox" tier, this process runs in an outer sandbox, and each slot gets its own. We create an empty sandbox,
-and the forked process enters it.
+In the "sandbox" tier, this process runs in an outer sandbox, and each slot gets its own outer sandbox inside that one.
+We create an empty sandbox, and the forked process enters it.
 """
 
 import os
@@ -40,9 +40,9 @@ from workbook.ros.environment import child_environment
 
 DESCRIPTORS = 3
 SEEDS = 2
-"""The number of fork servers for programs. Each has a different seed for string hashes; see `SandboxTier`."""
+"""The number of fork servers for programs. Each has a different seed for string hashes (see `SandboxTier`)."""
 LAST_WORDS_S = 2.0
-"""How long slots have for an orderly exit when this process is asked to end, in seconds."""
+"""The time (s) that slots have to exit by themselves when this process is asked to exit."""
 POLL_S = 0.01
 FAILED = 125
 """The exit code of a slot that couldn't enter its sandbox."""
@@ -53,7 +53,7 @@ class SlotRequest:
     """A request for one slot.
 
     `groups`: the slot's folder for memory cgroups, or None. `folder`: its working directory. `port`: the port of a
-    listener on this machine, for a slot that first tests its tier; None for the others.
+    listener on this machine for a slot that first tests its isolation tier, or None for all other slots.
     """
 
     groups: str | None
@@ -62,7 +62,7 @@ class SlotRequest:
 
 
 class EmptySandbox:
-    """An outer sandbox that waits for a slot to enter it. Raises OSError if it can't be created."""
+    """An outer sandbox that's empty until a slot enters it. Raises OSError if it can't be created."""
 
     def __init__(self, groups: str | None) -> None:
         info_fd = os.memfd_create("what bubblewrap says about itself")
@@ -87,7 +87,7 @@ class EmptySandbox:
         self.first = first
 
     def close(self) -> None:
-        """End the sandbox, along with the slot in it."""
+        """Kill the sandbox's processes, including the slot."""
         self._process.kill()
         self._process.wait()
         forget(self._process.pid)
@@ -95,7 +95,7 @@ class EmptySandbox:
 
 @dataclass(frozen=True)
 class RunningSlot:
-    """A forked slot, its sandbox if it has one, and the descriptor for reporting its end."""
+    """A forked slot, its sandbox if it has one, and the descriptor for reporting its exit status."""
 
     pid: int
     status_fd: int
@@ -104,9 +104,10 @@ class RunningSlot:
 
 @dataclass
 class SlotForker:
-    """Forks slots of one tier, and reports how they end.
+    """Forks slots that have the same isolation tier, and reports their exit statuses.
 
-    `zygotes`: the fork servers for the slots' programs. `ended`: a descriptor that becomes readable when a child ends.
+    `zygotes`: the fork servers from which the slots' own fork servers for programs are forked. `ended`: a descriptor
+    that becomes readable when a child process exits.
     """
 
     isolation: Isolation
@@ -119,16 +120,19 @@ class SlotForker:
     def work(self) -> None:
         """Serve requests until the channel is closed.
 
-        In the process of a forked slot, this function also returns, once that slot has ended.
+        In a forked slot's process, this method returns when the slot has finished its work.
         """
         for asked, descriptors in requests(self.channel, self.ended, self._report_ended):
-            if len(descriptors) != DESCRIPTORS:  # this process has no room for more descriptors
+            if len(descriptors) != DESCRIPTORS:  # this process has reached its limit on open descriptors
                 close_all(descriptors)
             elif self._fork(SlotRequest(**asked), descriptors):
                 return
 
     def _fork(self, request: SlotRequest, descriptors: Sequence[int]) -> bool:
-        """Fork a slot. Return True in the slot, once it has ended, and False in this process."""
+        """Fork a slot.
+
+        Return False in this process, and True in the slot's process when the slot has finished its work.
+        """
         status, *pipes = descriptors
         sandbox = None
         try:
@@ -145,7 +149,7 @@ class SlotForker:
             self._become_slot(request, descriptors, sandbox)
             return True
         exempt(pid)
-        os.setpgid(pid, pid)  # the child also does this, because either may run first
+        os.setpgid(pid, pid)  # the child does this, too, because either process may run first
         close_all(pipes)
         self._running[pid] = RunningSlot(pid, status, sandbox)
         return False
@@ -153,7 +157,7 @@ class SlotForker:
     def _become_slot(
         self, request: SlotRequest, descriptors: Sequence[int], sandbox: EmptySandbox | None
     ) -> None:
-        """Run as a slot until it ends. First enter the sandbox; if that fails, exit."""
+        """Enter the sandbox, and then work as a slot until its standard input is closed. If entering fails, exit."""
         status, *pipes = descriptors
         os.close(signal.set_wakeup_fd(-1))
         os.close(self.ended)
@@ -182,7 +186,7 @@ class SlotForker:
         serve(self.isolation, port=request.port, groups=groups, servers=servers)
 
     def _report_ended(self) -> None:
-        """Reap slots that have ended, end their leftover processes, and report the exit statuses."""
+        """Reap the slots that have exited, kill their leftover processes, and report the exit statuses."""
         for slot in [*self._running.values()]:
             with suppress(ChildProcessError):
                 pid, code = os.waitpid(slot.pid, os.WNOHANG)
@@ -202,7 +206,7 @@ class SlotForker:
             print(error, file=sys.stderr, flush=True)
 
     def close(self) -> None:
-        """End all slots. Kill those that don't exit by themselves in time."""
+        """Stop all slots. Kill those that don't exit by themselves in time."""
         for pid in self._running:
             with suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGTERM)
@@ -218,13 +222,13 @@ class SlotForker:
 
 
 def _end(*_: object) -> None:
-    """Exit in an orderly way, and only once."""
+    """Exit in an orderly way. Ignore further SIGTERM signals."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise SystemExit(0)
 
 
 def main() -> None:
-    """Import everything that slots need. Then fork a slot per request until the channel is closed."""
+    """Import everything that slots need. Then fork a slot for each request until the channel is closed."""
     channel, isolation = socket.socket(fileno=int(sys.argv[1])), named_tier(sys.argv[2])
     adopt_orphans()
     set_parent_death_signal(signal.SIGTERM)

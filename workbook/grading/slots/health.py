@@ -1,4 +1,4 @@
-"""Check whether a slot is healthy: how much memory it uses, and whether it makes progress."""
+"""Check whether a slot, which is a process that judges answers, is healthy: its memory use and its progress."""
 
 import os
 import sys
@@ -14,24 +14,25 @@ from workbook.inside.proc import (
 )
 
 SLOT_BYTES = 1_000_000_000
-"""The most memory for a slot without its program, in bytes. A slot with full caches uses 130 MB (measured)."""
+"""The memory limit of a slot without its program, in bytes. We measured 130 MB for a slot with full caches."""
 STUCK_S = 2.5
-"""The most processor time for a slot's other threads while its main thread doesn't run once, in seconds.
+"""The CPU time (s) of a slot's other threads after which the slot counts as stuck if its main thread hasn't run.
 
-The main thread runs many times a second, even while waiting, unless DDS never releases a lock.
+The main thread runs many times per second, even while it's waiting, unless DDS never releases a lock.
 """
 MOST_SLOWED = 3.0
 """The largest factor by which a busy machine may extend a deadline.
 
-Without this cap, an answer that keeps all processors busy would gain more time.
+Without this cap, an answer that keeps all processors busy would get more and more time.
 """
 
 
 class SlotHealth:
     """Watches the judging process of a slot from outside.
 
-    Without `command`, that's the process `pid`. Otherwise, it's `pid` or a descendant, whose command line begins with
-    `command`, because the tier may have put the judging process into a separate sandbox.
+    If `command` is None, the judging process is the process `pid`. Otherwise, it's that process or one of its
+    descendants, because the isolation tier may have started the judging process in a sandbox. Then it's recognized by
+    its command line, which runs Python with `command`.
     """
 
     def __init__(self, pid: int, command: Sequence[str] | None = None) -> None:
@@ -43,7 +44,7 @@ class SlotHealth:
         self._before = (0.0, 0.0)
 
     def problem(self) -> str | None:
-        """Return the reason that the slot is no longer reliable; None if it still is."""
+        """Return why the slot is no longer reliable, or None if it still is."""
         judge = self._judge()
         if judge is None:
             return None
@@ -57,10 +58,10 @@ class SlotHealth:
         self._before = (0.0, 0.0) if judge is None else ran_and_waited_s(judge)
 
     def slowed_by(self) -> float:
-        """Return how many times longer the slot took since `begin` because other processes used the processors.
+        """Return the factor by which other processes have slowed the slot down since `begin`.
 
-        The factor is between 1 and MOST_SLOWED. It's computed from how long the slot's main thread ran, and how long it
-        waited for a processor.
+        The factor is between 1 and MOST_SLOWED. It's computed from the time that the slot's main thread ran and the
+        time that it waited for a processor.
         """
         judge = self._judge()
         if judge is None:
@@ -76,7 +77,7 @@ class SlotHealth:
         return self._judge_pid
 
     def _is_stuck(self, judge: int) -> bool:
-        """Return whether DDS has used too much processor time since the main thread last ran.
+        """Return whether the other threads, such as DDS's, have used too much CPU time since the main thread last ran.
 
         Packets from an answer can keep DDS busy forever while it holds a lock that the main thread needs.
         """

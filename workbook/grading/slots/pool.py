@@ -1,4 +1,7 @@
-"""Keep a pool of warm slots, and judge an answer on one of them. If that slot breaks, use another one."""
+"""Keep a pool of warm slots, and judge answers on them. If a slot breaks, use another one.
+
+A slot is a process that judges answers. It's warm if it's ready for the next answer.
+"""
 
 import atexit
 import fcntl
@@ -28,18 +31,18 @@ from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation, meets_others
 
 FORKED: tuple[Isolation, ...] = ("sandbox", "limits")
-"""The tiers in which many slots run at the same time.
+"""The isolation tiers in which many slots run at the same time.
 
-In the other tiers, only one slot runs at a time, so a server that forks slots isn't worthwhile.
+In the other tiers, only one slot runs at a time, so a server that forks slots would cost more time than it saves.
 """
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
-"""The prefix of the reason if an answer is ungradable because it breaks slots that can judge a correct answer."""
+"""The prefix of the reason if an answer is ungradable because slots break on it but can judge a correct answer."""
 LOOK = "Look at it yourself: it is not run again as long as it stays the same, unless you ask with --retry-stopped"
 
 
 class Kind(NamedTuple):
-    """The properties that a slot and an answer must have in common before the slot can judge the answer.
+    """The properties of a slot that must match a job before the slot can judge it.
 
     See `Slot` for their meaning.
     """
@@ -56,10 +59,10 @@ class _Idle:
 
 
 class SlotPool:
-    """Keeps slots warm between answers, along with the servers that fork them. Thread-safe.
+    """Keeps slots warm between answers, and keeps the servers that fork them. Thread-safe.
 
-    A slot that has been idle for longer than `idle_s` seconds is ended. If `idle_s` is None, slots are kept until the
-    pool is closed. A slot that isn't forked ends with the thread that started it.
+    A slot that has been idle for longer than `idle_s` seconds is stopped. If `idle_s` is None, slots are kept until the
+    pool is closed. A slot that wasn't forked exits when the thread that started it finishes.
     """
 
     def __init__(self, idle_s: float | None = None) -> None:
@@ -74,9 +77,9 @@ class SlotPool:
         self._owner = os.getpid()
 
     def fork_from_now_on(self, kind: Kind) -> SlotServer | None:
-        """Fork all further slots of this kind from a server. Return the server.
+        """From now on, fork new slots of this kind from a server. Return the server.
 
-        Return None if forking is impossible or not worthwhile.
+        Return None if forking is impossible or not worthwhile (see `slot_server`).
         """
         with self._turn:
             server = self._servers.get(kind)
@@ -90,7 +93,7 @@ class SlotPool:
             return server
 
     def take_warm(self, kind: Kind) -> Slot | None:
-        """Return a free slot that still runs and has the current environment; None if there is none."""
+        """Return an idle slot that's still running and has the current environment, or None if there is none."""
         while True:
             with self._changed:
                 found = next((one for one in reversed(self._idle) if one.kind == kind), None)
@@ -103,7 +106,7 @@ class SlotPool:
             found.slot.close()
 
     def take(self, kind: Kind) -> Slot:
-        """Return a warm slot if there is one; otherwise, start one (see `start`)."""
+        """Return a warm slot if there is one. Otherwise, start one (see `start`)."""
         return self.take_warm(kind) or self.start(kind)
 
     def start(self, kind: Kind) -> Slot:
@@ -121,7 +124,7 @@ class SlotPool:
         return slot
 
     def give(self, kind: Kind, slot: Slot) -> None:
-        """Keep a slot that finished its work for the next answer."""
+        """Put a slot that has finished its work back into the pool, where it waits for the next answer."""
         with self._changed:
             self._at_work.pop(slot, None)
             self._idle.append(_Idle(kind, slot, time.monotonic()))
@@ -131,13 +134,13 @@ class SlotPool:
             self._changed.notify_all()
 
     def drop(self, slot: Slot) -> None:
-        """End a broken slot right away."""
+        """Remove a broken slot from the pool, and kill it."""
         with self._changed:
             self._at_work.pop(slot, None)
         slot.kill()
 
     def warm_up(self, kind: Kind) -> None:
-        """Prepare a slot of this kind for the next answer, unless a slot of this kind is judging now."""
+        """Make sure that a slot of this kind is warm. Do nothing if a slot of this kind is judging now."""
         with self._changed:
             is_at_work = kind in self._at_work.values()
         if not is_at_work:
@@ -154,14 +157,14 @@ class SlotPool:
         return True
 
     def cancel_soak(self) -> None:
-        """End the real-time watch of the programs early."""
+        """Cancel the real-time watches of the slots that are judging now."""
         with self._changed:
             at_work = [*self._at_work]
         for slot in at_work:
             slot.cancel_soak()
 
     def close(self) -> None:
-        """End all slots in parallel, and then the servers. Kill the slots that are still judging."""
+        """Stop all slots in parallel, and then the servers. Kill the slots that are still judging."""
         if self._owner != os.getpid():  # in a forked process, these slots belong to the parent
             return
         with self._changed:
@@ -185,7 +188,10 @@ class SlotPool:
                 one.close()
 
     def _overdue(self) -> list[Slot | SlotServer]:
-        """Wait until a slot has been idle for too long. Return that slot, and the servers that have no slots left."""
+        """Wait until a slot has been idle for too long.
+
+        Return that slot and the servers that don't have any slots left.
+        """
         assert self._idle_s is not None
         with self._changed:
             while not self._idle or self._idle[0].since + self._idle_s > time.monotonic():
@@ -200,7 +206,10 @@ class SlotPool:
 
 
 def slot_server(isolation: Isolation, own_criteria: Path | None = None) -> SlotServer | None:
-    """Start a server that forks slots. Return None if forking is impossible or not worthwhile in this tier."""
+    """Start a server that forks slots.
+
+    Return None if starting it fails or if a server isn't worthwhile in this tier (see `FORKED`).
+    """
     if isolation not in FORKED:
         return None
     try:
@@ -225,11 +234,13 @@ def _file_of_turns() -> Path:
 
 @contextmanager
 def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: None) -> Iterator[None]:
-    """Wait until this user judges no other answer on this machine. Do nothing if this tier keeps answers apart.
+    """Wait until no other answer is being judged by this user on this machine, and keep others waiting.
 
-    The other answer could publish on this answer's domain, or lease all domains. The kernel ends a turn when the
-    process that holds it ends. Without a writable cache, turns apply only within this process. `show_place` is called
-    with the number of answers ahead: all those that wait in this process, plus at most one in another process.
+    Use it as a context manager. It does nothing in a tier in which answers can't reach each other (see `meets_others`).
+    In the other tiers, an answer could publish on another answer's domain, or lease all domains. A turn is a file lock,
+    so the kernel releases it when the process that holds it exits. If the cache folder isn't writable, answers take
+    turns only within this process. `show_place` is called with the number of answers ahead: all answers that wait in
+    this process before this one, or 1 if only another process is judging.
     """
     if not meets_others(isolation):
         yield
@@ -287,7 +298,7 @@ def judge_warm(
     report: Report | None = None,
     progress: ShowProgress | None = None,
 ) -> Judgement:
-    """Judge an answer on a slot from the pool, and keep the slot warm. See `judge_with_retry`."""
+    """Judge an answer on a slot from the pool, and put the slot back afterward. See `judge_with_retry`."""
     slot, judgement = judge_with_retry(
         pool, pool.take_warm(kind), kind, job, soak=soak, report=report, progress=progress
     )
@@ -306,10 +317,12 @@ def judge_with_retry(
     report: Report | None = None,
     progress: ShowProgress | None = None,
 ) -> tuple[Slot | None, Judgement]:
-    """Judge a job on `slot`, which was taken from the pool, or on a new one. Replace a broken slot once.
+    """Judge a job on `slot`, which was taken from the pool, or on a new slot.
 
-    If both slots break on this answer, but a new slot judges a correct answer, this answer is to blame. It's then
-    `ungradable`, with the reason `STOPPED_JUDGE`. Otherwise, the error is ours: return `infra_error` and no slot.
+    If the slot breaks, try once more on another. If both slots break on this answer but a new slot can judge a correct
+    answer, this answer is the cause. Then the judgment is `ungradable`, and its reason begins with `STOPPED_JUDGE`.
+    Otherwise, the error is ours, and the judgment is an `infra_error`. Return the judgment together with the slot for
+    further answers, which is None after an `infra_error` of this kind.
     """
     reason = ""
     stopped = 0
@@ -327,7 +340,7 @@ def judge_with_retry(
                 return slot, slot.judge(
                     job.stem, job.answer, soak=soak, seed=job.seed, report=report, progress=progress
                 )
-            except Exception as error:  # no exception may lose the answer
+            except Exception as error:  # whatever the exception, the answer must not be lost
                 reason = str(error) or type(error).__name__
                 stopped += at_work and isinstance(error, SlotBroken) and not isinstance(error, NotBegun)
                 if slot is not None:
@@ -341,14 +354,14 @@ def judge_with_retry(
 
 
 def _slot_that_judges(stem: str, pool: SlotPool, kind: Kind) -> Slot | None:
-    """Return a new slot that has just judged the reference answer; None if there's no such answer or it fails."""
+    """Return a new slot that has just judged the reference answer, or None if that's impossible."""
     slot: Slot | None = None
     try:
         right = load_exercise(stem).source.solution_code
         slot = pool.start(kind)
         if slot.judge(stem, Answer(right), soak=False).status == "graded":
             return slot
-    except Exception:  # whatever failed, it proves nothing against the answer
+    except Exception:  # whatever failed here doesn't prove that the answer is the cause
         pass
     if slot is not None:
         pool.drop(slot)

@@ -1,9 +1,10 @@
-"""Define the messages between a slot and its owner: lines of JSON.
+"""Define the messages between a slot, which judges answers, and its owner, the process that started it.
 
-The owner sends a `JudgingOrder` for each answer. To end the real-time watch of a judged program early, it sends ENOUGH.
-The slot's first line says that it's ready, or why it can't start: `{"broken": "No ROS domain is free…"}`. If the slot
-was asked to test its tier, that line also reports the tier's problem. Then, for each order, the slot sends any number
-of lines with progress or preliminary judgments. The order's last line has `"final": true`.
+A message is a line of JSON. The owner sends a `JudgingOrder` for each answer. To cancel the real-time watch of a judged
+program, it sends ENOUGH. The slot's first line says that it's ready, or why it can't start: `{"broken": "No ROS domain
+is free…"}`. If the slot was asked to test its isolation tier, that line also says why the tier doesn't work, if it
+doesn't. Then, for each order, the slot sends any number of lines with progress or preliminary judgments. The last line
+for an order has `"final": true`.
 """
 
 import json
@@ -19,22 +20,23 @@ from workbook.exercise.serialization import judgement_from_json, judgement_to_js
 Message = Mapping[str, Any]
 
 LONGEST_LINE = 200_000_000
-"""The most bytes in a line. A judgment includes its recording, for which a program may send 1 MB on each topic."""
+"""The maximum size of a line, in bytes. A judgment contains its recording, which keeps up to 1 MB for each topic."""
 CHUNK_BYTES = 1 << 20
 ENOUGH: Message = {"cancel_soak": True}
 PLUMBING = "/driver/"
-"""The prefix of the topics through which a driver calls an answer's functions. Only the judge uses their messages."""
+"""The prefix of the topics on which a driver, which calls an answer's functions, exchanges messages with the judge."""
 
 
 class LineTooLong(ValueError):
-    """A line is longer than any valid message."""
+    """Raised when a line is longer than any valid message."""
 
 
 @dataclass(frozen=True)
 class JudgingOrder:
-    """An order to judge one answer. `exercise`: its stem. `answer`: its text. `seed`: see `Judge.judge`.
+    """An order to judge one answer.
 
-    `progress`: whether the slot sends its progress.
+    `exercise`: the exercise's stem. `answer`: the answer's code. `soak` and `seed`: see `Judge.judge`. `progress`:
+    whether the slot sends its progress.
     """
 
     exercise: str
@@ -48,10 +50,10 @@ class JudgingOrder:
 class Progress:
     """The progress of one answer's judgment.
 
-    `place`: how many other answers are judged first; 0 once judging has begun. `watched_s`: how long the program has
-    been watched, in seconds of simulated time, or of real time on the wall clock. `messages`: the number received on
-    each topic. `latest`: each topic's last message as plain data; None if it's large. `types`: each topic's message
-    type.
+    `place`: the number of other answers that are judged first, or 0 once judging has begun. `watched_s`: the time that
+    the program has been watched, in seconds of simulated time, or of real time on the wall clock. `messages`: the
+    number of messages received on each topic. `latest`: each topic's latest message as plain data, or None if the
+    message is large. `types`: each topic's message type.
     """
 
     place: int = 0
@@ -61,7 +63,7 @@ class Progress:
     types: Mapping[str, str] = field(default_factory=dict)
 
     def counters(self) -> list[str]:
-        """Return the message count of each of the program's topics, in words."""
+        """Return the number of messages on each of the program's topics, such as "12 on /chatter"."""
         counted = ((topic, count) for topic, count in self.messages.items() if not topic.startswith(PLUMBING))
         return [f"{count} on {topic}" for topic, count in counted]
 
@@ -79,7 +81,7 @@ def line_of(message: Message | JudgingOrder) -> bytes:
 
 
 def progress_message(progress: Progress) -> Message:
-    """Return a slot's progress message. If JSON can't represent the latest messages, they're left out."""
+    """Return a slot's progress message. Leave out the latest messages if JSON can't represent them."""
     data = asdict(progress)
     try:
         json.dumps(data, allow_nan=False)
@@ -99,14 +101,14 @@ def error_message(reason: str) -> Message:
 
 
 def judgement_in(message: Message, stem: str, answer_sha256: str) -> Judgement:
-    """Return a message's judgment. If the slot reported an error, return a judgment that says so."""
+    """Return the judgment in a message. If the message reports an error, return an `infra_error` with this reason."""
     if "error" in message:
         return Judgement(stem, answer_sha256, "infra_error", message["error"], (), None)
     return judgement_from_json(message["judgement"])
 
 
 class LineReader:
-    """Reads messages from a descriptor. A line of more than `longest` bytes is invalid."""
+    """Reads messages from a descriptor. A line with more than `longest` bytes is invalid."""
 
     def __init__(self, descriptor: int, longest: int = LONGEST_LINE) -> None:
         self._descriptor = descriptor
@@ -115,9 +117,10 @@ class LineReader:
         self._searched = 0
 
     def next(self, timeout_s: float) -> dict[str, Any] | None:
-        """Return the next message; None if it isn't complete after `timeout_s` seconds.
+        """Wait up to `timeout_s` seconds for data. Return the next message, or None if it isn't complete yet.
 
-        Raises EOFError at the end of the stream, LineTooLong, and ValueError for an invalid message.
+        Raises EOFError at the end of the stream, LineTooLong if a line is too long, and ValueError if a message is
+        invalid.
         """
         if (message := self._take()) is not None:
             return message

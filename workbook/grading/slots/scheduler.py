@@ -1,10 +1,12 @@
 """Judge many answers on this machine in parallel.
 
-A place is the right to judge one answer. A program that only has to stay alive frees its place for the next answer.
+A slot is a process that judges answers. A place is the right to judge one answer, and its number is limited. A program
+that only has to stay alive frees its place for the next answer.
 
-After a program was judged in simulated time, it's started again and watched for a few real seconds. That's little work,
-so the next answer gets its place, and another slot judges it. With `fills`, more answers than places run while
-processors would otherwise be idle. The number of slots follows from that and from the available memory.
+After a program has been judged in simulated time, it's started again and watched for a few real seconds. That takes
+little CPU time, so the next answer gets the program's place, and another slot judges that answer. With `fills`, more
+answers than places run as long as processors would otherwise be idle. So the number of slots isn't fixed: it depends on
+these watches, on `fills`, and on the available memory.
 """
 
 import contextlib
@@ -26,20 +28,23 @@ from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
 WAITING_PER_PLACE = 8
-"""How many answers per place may be in their real-time watch. It takes 8 s, after about one second of work."""
-MORE_PER_PLACE = 2
-"""How many additional answers per place may run while processors are idle.
+"""The maximum number of answers per place that are in their real-time watch.
 
-Their number is limited because a process in a container sees all processors, even if it may use only some of them.
+The watch takes 8 s, after about one second of work in the place.
+"""
+MORE_PER_PLACE = 2
+"""The maximum number of additional answers per place that run while processors are idle.
+
+This number is limited because a process in a container sees all processors, even if it may use only some of them.
 """
 SPARE_SHARE = 0.25
-"""The share of idle processor time that's needed to start one more answer without slowing the others down."""
+"""The fraction of idle CPU time above which one more answer may start without slowing the others down."""
 LOOK_S = 0.5
-"""How long to measure the processors' idle time after starting one more answer, in seconds."""
+"""The time (s) for which the processors' idle time is measured before one more answer may start."""
 SLOT_BYTES = 150_000_000
 """The memory that a slot and its program need, in bytes. Each of the two processes uses about 70 MB."""
 KEPT_FREE_BYTES = 1_000_000_000
-"""The memory to leave for other processes, in bytes. If less is available, each place has only one slot."""
+"""The memory to leave for other processes, in bytes. If less would remain, each place has only one slot."""
 
 
 def fits_in_memory() -> bool:
@@ -49,7 +54,7 @@ def fits_in_memory() -> bool:
 
 @dataclass(frozen=True)
 class LocalSlots:
-    """Judges on this machine, with `slots` answers in parallel. With `fills`, more run while processors are idle."""
+    """Judges `slots` answers in parallel on this machine. With `fills`, more run while processors are idle."""
 
     slots: int
     isolation: Isolation = "limits"
@@ -63,16 +68,16 @@ class LocalSlots:
 
 
 class IdleProcessors:
-    """Measures whether this machine's processors are partly idle."""
+    """Measures whether this machine's processors are idle for a part of the time."""
 
     def __init__(self) -> None:
         self._looked_at = -LOOK_S
         self._before: tuple[float, float] | None = None
 
     def __call__(self) -> bool:
-        """Return whether the processors were idle for at least SPARE_SHARE of the time since the last measurement.
+        """Return whether at least the fraction SPARE_SHARE of the CPU time since the last measurement was idle.
 
-        Measure at most every LOOK_S seconds, and return False in between.
+        If the last measurement is less than LOOK_S seconds old, don't measure, and return False.
         """
         if time.monotonic() - self._looked_at < LOOK_S:
             return False
@@ -84,11 +89,11 @@ class IdleProcessors:
 
 
 class WorkPermits:
-    """Limits the work to `at_work` answers in parallel, each with a slot from the pool. Thread-safe.
+    """Limits the work to `at_work` answers in parallel, each on its own slot. Thread-safe.
 
-    `warm`: returns a warm slot, or None. `room`: called with the current number of slots; returns whether one more slot
-    may be started beyond the first `at_work`. `spare`: polled to find out whether one more answer may run beyond
-    `at_work`.
+    `warm`: a function that returns a warm slot, or None if there is none. `room`: a function that takes the current
+    number of slots and returns whether one more slot may be started beyond the first `at_work`. `spare`: a function
+    that's polled and returns whether one more answer may run beyond `at_work`, or None if that's never allowed.
     """
 
     def __init__(
@@ -131,7 +136,7 @@ class WorkPermits:
 
 
 class Permit:
-    """A permit to judge an answer on `slot`. If `slot` is None, use a new slot."""
+    """A permit to judge an answer on `slot` or, if `slot` is None, on a new slot."""
 
     def __init__(self, permits: WorkPermits, slot: Slot | None) -> None:
         self.slot = slot
@@ -139,7 +144,7 @@ class Permit:
         self._is_held = True
 
     def end(self) -> None:
-        """Release the permit. Calling it again has no effect."""
+        """Release the permit. If it has already been released, do nothing."""
         self._permits.change(free=int(self._is_held))
         self._is_held = False
 
@@ -153,9 +158,10 @@ class Permit:
         report: Report | None = None,
         progress: ShowProgress | None = None,
     ) -> Judgement:
-        """Judge a job, and give back the permit and the slot.
+        """Judge a job, and then give back the permit and the slot.
 
-        The permit is released as soon as the final judgment is reported, because only the real-time watch follows.
+        The permit is released before this method returns, as soon as a judgment that isn't provisional is reported.
+        After that, only the real-time watch follows.
         """
         slot = self.slot
 
@@ -174,9 +180,9 @@ class Permit:
             self.give_back(slots, kind, slot)
 
     def give_back(self, slots: SlotPool, kind: Kind, slot: Slot | None) -> None:
-        """Keep the slot for the next answer, and release the permit.
+        """Return the slot to the pool for the next answer, and release the permit.
 
-        Pass None if the slot no longer exists.
+        `slot`: the slot, or None if it no longer exists.
         """
         if slot is None:
             self._permits.change(slots=-1)
@@ -196,9 +202,10 @@ def judge_all(
 ) -> Iterator[tuple[Job[Key], Judgement]]:
     """Judge many answers, `slots` of them in parallel. Yield each judgment as soon as it's ready.
 
-    With `fills`, more answers run while processors would otherwise be idle. In a tier where answers could reach each
-    other (see `meets_others`), they're judged one at a time, regardless of `slots`. `stop` is called before each new
-    answer. Once it returns True, the run ends as soon as the judgments in progress are finished.
+    With `fills`, more answers run while processors would otherwise be idle. In an isolation tier in which answers could
+    reach each other (see `meets_others`), answers are judged one at a time, regardless of `slots`. `stop` is called
+    before each new answer. Once it returns True, no new answer is started, and this function returns after the
+    judgments in progress.
     """
     run = _AnswersOfRun(list(jobs), max(1, slots), soak, isolation, stop, fills)
     threads = [
@@ -217,9 +224,9 @@ def judge_all(
 
 
 class _AnswersOfRun(Generic[Key]):
-    """The answers of one `judge_all` call.
+    """The answers passed to one `judge_all` call, and the state of judging them.
 
-    `done`: the queue that receives each judgment, and None from each thread that ends.
+    `done`: the queue that receives each judgment, and None from each thread when it finishes.
     """
 
     def __init__(
@@ -242,7 +249,7 @@ class _AnswersOfRun(Generic[Key]):
         for_each = 1 + (WAITING_PER_PLACE if soak else 0) + (MORE_PER_PLACE if fills else 0)
         self.most_at_once = min(slots * for_each, max(1, len(jobs)))
         if meets_others(isolation):
-            self.most_at_once = 1  # even an answer that only waits could send messages to another one
+            self.most_at_once = 1  # even an answer in its real-time watch could send messages to another
         for job in jobs:
             self._waiting.put(job)
         _prepare_for({job.stem for job in jobs})
@@ -253,14 +260,15 @@ class _AnswersOfRun(Generic[Key]):
     def _has_room(self, present: int) -> bool:
         """Return whether to start another slot when `present` slots exist.
 
-        It isn't worthwhile if few answers are waiting, because starting a slot takes as long as judging an answer.
+        Another slot isn't worthwhile if few answers are waiting, because starting one takes as long as judging an
+        answer.
         """
         return self._waiting.qsize() >= present and fits_in_memory()
 
     def _has_spare(self) -> bool:
-        """Return whether there are idle processors for one more answer.
+        """Return whether processors are idle enough for one more answer.
 
-        Return False until the slots' server has forked its first slot, because the waiting answers will need the
+        Return False until the server has forked the first slot, because the answers that wait for slots will need the
         processors soon.
         """
         return (self._server is None or self._server.is_tried) and self._are_idle()
@@ -280,7 +288,7 @@ class _AnswersOfRun(Generic[Key]):
             return None
 
     def work(self) -> None:
-        """Judge one answer after another until none is left."""
+        """Judge one answer after another until none is waiting. This method runs in each thread."""
         try:
             while not self._waiting.empty() and not self._stop():
                 self._judge_next(self._permits.take())
@@ -295,12 +303,12 @@ class _AnswersOfRun(Generic[Key]):
         self.done.put((job, permit.judge(self._pool, self._kind, job, soak=self._thorough)))
 
     def close(self) -> None:
-        """End all slots, and the servers that forked them."""
+        """Stop all slots and the servers that forked them."""
         self._pool.close()
 
 
 def _prepare_for(stems: Iterable[str]) -> None:
-    """Have the type checker cache our packages before slots start, because the slots can't write to its cache."""
+    """If an answer will be type-checked, fill mypy's cache before slots start, because slots can't write to it."""
     if any(_is_type_checked(stem) for stem in stems):
         with contextlib.suppress(TypeCheckFailed):  # judging will report the failure
             warm_cache()

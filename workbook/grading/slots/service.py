@@ -1,13 +1,13 @@
-"""Run a service that judges a whole class's answers on a fixed number of slots. Students take turns.
+"""Run a service that judges the answers of a whole class, a fixed number of them at a time. Students take turns.
 
     python -m workbook.grading.slots.service FOLDER --slots N
 
-When only the real-time watch of a program remains, the student already has the feedback, so the service begins to judge
-the next answer.
+The service judges answers on slots, which are processes. When only the real-time watch of a program remains, the
+student already has the feedback, so the service starts judging the next answer.
 
-The service listens at the Unix socket FOLDER/socket. Each connection sends one `JudgingOrder`. It receives the lines
-that a slot sends (see `protocol`) and its place in the queue. The kernel identifies the student by the user ID of the
-connected process.
+The service listens on the Unix socket FOLDER/socket. Each client connects, sends one `JudgingOrder`, and receives the
+lines that a slot sends (see `protocol`) and its place in the queue. The service identifies the student by the connected
+process's user ID, which it gets from the operating system's kernel.
 """
 
 import argparse
@@ -45,25 +45,28 @@ from workbook.grading.slots.scheduler import WAITING_PER_PLACE, Permit, WorkPerm
 from workbook.isolation.tiers import Isolation, named_tier
 
 ADDRESS = "WORKBOOK_CHECK_SERVICE"
-"""The environment variable that gives a kernel the socket's path. If it isn't set, the kernel has its own slot."""
+"""The environment variable with the socket's path for a notebook's kernel.
+
+If it isn't set, the kernel has its own slot.
+"""
 SOCKET = "socket"
 LONGEST_ORDER = 1_000_000
-"""The most bytes in an order. An answer is a program that a person wrote, so it's short."""
+"""The maximum size of an order, in bytes. An answer is a program that a person wrote, so it's short."""
 LONGEST_SILENCE_S = 10.0
-"""How long a client may take to send its order, in seconds. Clients prepare the order before they connect."""
+"""The longest time (s) that a client may take to send its order. Clients prepare the order before they connect."""
 MOST_CONNECTIONS = 16
 MOST_WAITING = 4
-"""The most answers that one student may have waiting."""
+"""The maximum number of answers that one student may have in the queue."""
 
 Item = TypeVar("Item")
 
 
 class TooMany(RuntimeError):
-    """One owner has too many items in the queue. The message is for the owner."""
+    """Raised when an owner has too many items in the queue. The message is for the owner."""
 
 
 class FairQueue(Generic[Item]):
-    """A queue in which owners take turns, so an owner with many items doesn't delay the other owners.
+    """A queue in which the items' owners take turns, so an owner with many items doesn't delay the other owners.
 
     Thread-safe.
     """
@@ -83,7 +86,7 @@ class FairQueue(Generic[Item]):
             self._changed.notify()
 
     def take(self) -> Item:
-        """Wait for the next item and return it. Its owner goes to the end of the queue."""
+        """Wait for the next item, and return it. Move its owner to the end of the queue."""
         with self._changed:
             while not self._waiting:
                 self._changed.wait()
@@ -95,7 +98,7 @@ class FairQueue(Generic[Item]):
             return item
 
     def remove(self, item: Item) -> None:
-        """Remove an item from the queue, if it's there."""
+        """Remove an item from the queue if it's there."""
         with self._changed:
             for owner, own in [*self._waiting.items()]:
                 if item in own:
@@ -120,7 +123,7 @@ class _Request:
     _one_at_a_time: threading.Lock = field(default_factory=threading.Lock)
 
     def send(self, message: Message) -> None:
-        """Send a message as a line. A client that has disconnected or doesn't read gets no more messages."""
+        """Send a message as a line. After a failure, because the client is gone or doesn't read, do nothing."""
         with self._one_at_a_time:
             if not self._is_gone:
                 try:
@@ -129,7 +132,7 @@ class _Request:
                     self._is_gone = True
 
     def show_place(self, place: int) -> None:
-        """Send the answer's place in the queue if it has changed."""
+        """Send the answer's place in the queue to the client if the place has changed."""
         if place != self.place:
             self.place = place
             self.send(progress_message(Progress(place)))
@@ -142,7 +145,7 @@ def user_of(connection: socket.socket) -> int:
 
 
 class CheckService:
-    """Judges the answers that arrive at a socket. `owner_of` returns a connection's owner."""
+    """Judges the answers that arrive at a socket. `owner_of`: a function that returns a connection's owner."""
 
     def __init__(
         self,
@@ -186,7 +189,7 @@ class CheckService:
                 threading.Thread(target=self._take_in, args=[connection, owner], daemon=True).start()
 
     def close(self) -> None:
-        """Stop accepting orders, and end all slots."""
+        """Stop accepting orders, and stop all slots."""
         with contextlib.suppress(OSError):
             self._listener.shutdown(socket.SHUT_RDWR)
         self._listener.close()
@@ -229,7 +232,7 @@ class CheckService:
             self._end(request.connection, request.owner)
 
     def _last_line(self, permit: Permit, request: _Request) -> Message:
-        """Judge an answer, and send all messages about it except the last one, which is returned."""
+        """Judge an answer. Send all messages about it except the last one, and return the last one."""
         try:
             judgement = permit.judge(
                 self.pool,
@@ -240,15 +243,15 @@ class CheckService:
                 progress=lambda one: request.send(progress_message(one)),
             )
             return judgement_message(judgement, final=True)
-        except Exception as error:  # an order that no notebook would send must not end the thread
+        except Exception as error:  # an invalid order, which no notebook would send, must not stop the thread
             return error_message(f"{type(error).__name__}: {error}")
 
 
 def read_order(connection: socket.socket) -> JudgingOrder:
-    """Read an order, which is a request to judge an answer, from a connection.
+    """Read a request to judge an answer from a connection.
 
-    Raises EOFError, OSError, KeyError, or ValueError if no valid order arrives. Criteria are programs that run in this
-    process, so an order can name only the course's own exercises.
+    Raises EOFError, OSError, KeyError, or ValueError if no valid order arrives. An order may name only one of the
+    course's exercises, because we run an exercise's criteria, which are code.
     """
     lines = LineReader(connection.fileno(), LONGEST_ORDER)
     deadline = time.monotonic() + LONGEST_SILENCE_S
@@ -264,7 +267,7 @@ def read_order(connection: socket.socket) -> JudgingOrder:
 def judge_there(
     path: str, stem: str, answer: Answer, report: Report, progress: ShowProgress | None = None
 ) -> Judgement:
-    """Have the service at `path` judge an answer. Pass its progress, such as its place in the queue, to `progress`."""
+    """Have the service at `path` judge an answer. Pass the progress, such as the place in the queue, to `progress`."""
     try:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
             connection.connect(path)
@@ -288,7 +291,7 @@ def judge_there(
 
 
 def main() -> None:
-    """Parse the command line, and serve until the process ends."""
+    """Parse the command line, and serve until the process is stopped."""
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=Path)
     parser.add_argument("--slots", type=int, default=2)

@@ -1,8 +1,9 @@
-"""Run a process that judges one answer after another, and keeps its observer ready between answers.
+"""Run a slot: a process that judges one answer after another and keeps its observer ready in between.
 
     python -m workbook.grading.slots.worker TIER [--user ID] [--groups FOLDER] [--try PORT]
 
-It reads orders from standard input, and writes judgments to standard output. `protocol` describes these messages.
+TIER is the isolation tier in which answers run. The process reads orders from standard input and writes judgments to
+standard output. `protocol` describes these messages.
 """
 
 import argparse
@@ -62,13 +63,16 @@ def _private_output() -> BinaryIO:
 
 
 def _end_on_sigterm(*_: object) -> None:
-    """Exit in an orderly way, and only once: a dying owner sends the signal again for each of its threads."""
+    """Exit in an orderly way. Ignore further SIGTERM signals.
+
+    When our owner exits, we may get the signal once for each of its threads.
+    """
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise SystemExit(0)
 
 
 class _Inbox:
-    """Reads standard input while a job runs, so that a message can reach the job."""
+    """Reads standard input while a job is running, so that the owner can cancel the job's real-time watch."""
 
     def __init__(self) -> None:
         self.jobs: queue.SimpleQueue[JudgingOrder | None] = queue.SimpleQueue()
@@ -98,11 +102,12 @@ def serve(
     groups: Path | None = None,
     servers: Sequence[ForkServer] = (),
 ) -> None:
-    """Judge jobs until standard input is closed.
+    """Judge one job after another until standard input is closed.
 
     `ids`: the user IDs under which programs run in the "uid" tier, leased by the caller. `port`: the port of a listener
-    on this machine; if it's given, the tier is tested first. `groups`: the folder for memory cgroups, leased by the
-    caller. `servers`: the two servers that fork a sandbox's programs; if there are none, start one.
+    on this machine, or None. If it's given, the tier is tested first. `groups`: the folder for memory cgroups, leased
+    by the caller, or None. `servers`: the two servers from which programs are forked in the "sandbox" tier. If there
+    are none, one is created.
     """
     channel = _private_output()
     adopt_orphans()
@@ -139,7 +144,7 @@ def serve(
 
 
 class _ProgressSender:
-    """Sends a judgment's progress a few times a second."""
+    """Sends a judgment's progress a few times per second."""
 
     def __init__(self, send: Callable[[Message], None]) -> None:
         self._send = send
@@ -157,9 +162,10 @@ class _ProgressSender:
 
 
 def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Callable[[], bool]) -> Message:
-    """Judge one answer, and end its leftover processes. Return the last message: the judgment or an error.
+    """Judge one answer, and kill its leftover processes. Return the last message: the judgment or an error.
 
-    Raises ServerGone. The caller must then replace this slot, and judge the answer on another one.
+    Raises ServerGone if a server that forks programs is gone. Then this slot exits, and its owner judges the answer on
+    another one.
     """
     try:
         judgement = judge.judge(
@@ -183,9 +189,9 @@ def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Call
 
 
 def warm_up(isolation: Isolation, server: ForkServer) -> None:
-    """Start the server that forks programs: `server` in the "sandbox" tier, otherwise this process's own server.
+    """Start the server that forks programs: `server` in the "sandbox" tier, or else this process's own server.
 
-    A sandbox has its own network, so it leases domains independently of other processes.
+    A slot in a sandbox has its own network, so it leases ROS domains independently of processes outside.
     """
     if isolation == "sandbox":
         lease_in_private()
@@ -195,7 +201,7 @@ def warm_up(isolation: Isolation, server: ForkServer) -> None:
 
 
 def main() -> None:
-    """Parse the command line, and then judge jobs until standard input is closed."""
+    """Parse the command line, and judge jobs until standard input is closed."""
     parser = argparse.ArgumentParser()
     parser.add_argument("tier", type=named_tier)
     parser.add_argument("--user", type=lambda text: Ids(int(text)))
