@@ -42,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def answer_tab(build_parser: Callable[[], CommandParser]) -> None:
-    """If a completion script called `workbook`, write the completions and exit. Otherwise, do nothing."""
+    """Write the completions and exit if a completion script called `workbook`. Otherwise, do nothing."""
     if "_ARGCOMPLETE" not in os.environ:
         return
     import argcomplete

@@ -191,7 +191,7 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
 
 
 def _topic_meant(topic: str, published: Sequence[str]) -> str:
-    """Return a question that suggests the topic that was probably meant; "" if there is none.
+    """Return a question that suggests the topic that was probably meant, or "" if there is none.
 
     If there is a published topic with the same name in a namespace, suggest that one. Otherwise, suggest a similar
     name.

@@ -176,7 +176,7 @@ class Batch:
         everything: Iterable[StudentAndExercise],
         mine: Container[StudentAndExercise],
     ) -> Iterator[str]:
-        """If all `paths` are folders, yield a sentence about the students who have a result but no hand-in."""
+        """Yield a sentence about the students who have a result but no hand-in, if all `paths` are folders."""
         left = sorted(key[0] for key in everything if key[1] == self._exercise.stem and key not in mine)
         if left and all(path.is_dir() for path in paths):
             what = "1 earlier result has" if len(left) == 1 else f"{len(left)} earlier results have"

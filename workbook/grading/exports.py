@@ -1,7 +1,8 @@
 """Export the gradebook to other systems' formats, using only pure functions of results.
 
-The formats are Gradescope's results.json (docs/specs.md in its autograder samples), Canvas's gradebook CSV
-(gradebook_importer.rb), Moodle's grade import (a CSV keyed by ID number), and nbgrader's export (plugins/export.py).
+The formats are Gradescope's results.json (docs/specs.md in its autograder samples) and Canvas's gradebook CSV
+(gradebook_importer.rb). There are also Moodle's grade import (a CSV keyed by ID number) and nbgrader's export
+(plugins/export.py).
 """
 
 import csv

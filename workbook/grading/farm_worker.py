@@ -151,7 +151,7 @@ _criteria: Path | None = None
 
 
 def _folder_of(stem: str, text: str | None) -> Path | None:
-    """Return a folder with a criteria file that contains `text`, or None if the job has no criteria of its own."""
+    """Return a folder with a criteria file that contains `text`, or None if `text` is None."""
     global _criteria
     if text is None:
         return None

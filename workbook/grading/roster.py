@@ -26,7 +26,7 @@ class Roster:
         """Return one hand-in per student, sorted, with the student's name from the aliases.
 
         If a student has several hand-ins, all of them are rejected. A hand-in is also rejected if aliases assign it to
-        two students, or if it's named after one student but an alias assigns it to another.
+        two students. It's rejected, too, if it's named after one student but an alias assigns it to another.
         """
         students = set(self.aliases.values())
         students |= {one.student for one in found if not self._owners(one)}

@@ -58,8 +58,9 @@ def students_edition(course: Path, target: Path) -> Edition:
     """Write the students' edition of a course to the folder `target`, or to a zip file if `target` ends with .zip.
 
     If the folder contains an earlier edition, perhaps with its Git history, that edition is updated. For the same
-    course, the bytes are always the same. Raises CannotPackage if the folder contains other files, if a file of the
-    earlier edition was changed by hand, or if the course has hidden criteria, which students could read.
+    course, the bytes are always the same. Raises CannotPackage if the folder contains other files, or if a file of the
+    earlier edition was changed by hand. It's also raised if the course has hidden criteria, because students could read
+    them.
     """
     files = dict(_files(course))
     if target.suffix == ".zip":

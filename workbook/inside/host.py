@@ -8,7 +8,7 @@ context, the host calls its `main()`, if that can be called without arguments. O
 Node subclass, if there's exactly one.
 
 If there's a driver, it runs as `__main__` instead and imports the file as the module `answer`. Before that, the host
-reads a key from standard input, and gives the driver a global function `sign`, which signs reports with the key (see
+reads a key from standard input. It gives the driver a global function `sign`, which signs reports with the key (see
 `signer`).
 """
 

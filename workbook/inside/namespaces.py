@@ -10,7 +10,7 @@ NEWIPC, NEWUSER, NEWPID, NEWNET = 0x08000000, 0x10000000, 0x20000000, 0x40000000
 OF_A_PROGRAM = NEWUSER | NEWNS | NEWPID | NEWIPC | NEWUTS | NEWCGROUP
 """The namespaces of a program's (inner) sandbox.
 
-It has no network namespace of its own, so the program uses the network of the outer sandbox.
+It has no separate network namespace, so the program uses the network of the outer sandbox.
 """
 OF_A_SLOT = NEWUSER | NEWNS | NEWIPC | NEWNET
 """The namespaces of a slot's (outer) sandbox. A slot is a process that judges answers."""

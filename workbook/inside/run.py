@@ -3,7 +3,7 @@
 The command is `python -P run.py NAME ARGUMENT...`.
 
 Like all other modules, the files in this folder import each other as `workbook.inside.NAME`. This script makes those
-imports work without the package. It removes the modules from `sys.modules` before it calls the file's `main`, so that a
+imports work without the package. It removes the modules from `sys.modules` before it calls the file's `main`. So a
 program that runs in this process later doesn't find them there.
 """
 

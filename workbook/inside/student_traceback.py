@@ -80,7 +80,7 @@ def write(text: str) -> None:
 
 
 def take_over_threads(show: Callable[[BaseException], str]) -> None:
-    """From now on, print each uncaught exception of a thread in a single write. `show` formats the exception."""
+    """Print each uncaught exception of a thread in a single write from now on. `show` formats the exception."""
 
     def hook(arguments: threading.ExceptHookArgs) -> None:
         if arguments.exc_value is None or issubclass(arguments.exc_type, SystemExit):

@@ -1,8 +1,8 @@
 """Kill every process of a user ID: `python -I -S run.py sweeper ID OWN_ID`, as root.
 
-Programs run under the user ID. This process takes it as its effective user ID, so one call of `kill` reaches all of the
-programs, and none of them can escape by forking. This process's real user ID is OWN_ID, so the programs may not send it
-signals.
+Programs run under the user ID. It becomes this process's effective user ID, so one call of `kill` reaches all of the
+programs. Therefore, none of them can escape by forking. This process's real user ID is OWN_ID, so the programs may not
+send it signals.
 """
 
 import os

@@ -257,8 +257,8 @@ def others_left_alone() -> list[list[Step]]:
     """Return cases for `compiled` that keep a program from changing other processes' limits and priorities.
 
     Those processes may belong to the same user, so a program could stop its judge by reducing the judge's CPU time.
-    Libraries set the scheduling of their own threads by thread ID, so these calls must not fail: they do nothing and
-    report success.
+    Libraries set their threads' scheduling by thread ID, so these calls must not fail: they do nothing and report
+    success.
     """
     limits = [case(number, errno.EPERM, not_zero(0)) for number in OF_ONE_PROCESS.values()]
     scheduling = [case(number, 0, not_zero(0)) for number in SCHEDULING_OF_ONE.values()]

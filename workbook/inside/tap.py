@@ -1,9 +1,9 @@
 """Report this process's messages and responses to the panel next to the notebook while the panel is open.
 
-The panel must not subscribe to topics, because its subscriptions would disturb lessons that count subscriptions, wait
-for them, or show that earlier messages are lost. Instead, each of a notebook's processes reports its own messages on an
-abstract Unix socket whose name contains the ROS domain. If no panel listens there, each message costs only a check of
-the clock.
+The panel must not subscribe to topics, because its subscriptions would disturb some lessons. These lessons count
+subscriptions, wait for them, or show that earlier messages are lost. Instead, each of a notebook's processes reports
+its own messages on an abstract Unix socket whose name contains the ROS domain. If no panel listens there, each message
+costs only a check of the clock.
 """
 
 import json

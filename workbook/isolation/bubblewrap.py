@@ -19,8 +19,8 @@ WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
 READ_ONLY = ("/", "/dev", "/dev/pts", "/proc")
 """The mounts that bubblewrap itself creates, which must be made read-only.
 
-Some of them have no size limit. /proc must be read-only because a process with root's user ID may write to files in
-/proc/sys, even without capabilities. An answer has that ID if the judge runs as root.
+Some of them have no size limit. Also, a process with root's user ID may write to files in /proc/sys, even without
+capabilities. An answer has that ID if the judge runs as root.
 """
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
 WAITS = ("/bin/sh", "-c", "echo ready && exec >&- && while :; do sleep infinity & wait; done")
@@ -37,8 +37,9 @@ class NoSandbox(RuntimeError):
 
 
 def outer_command(command: Sequence[str], groups: Path | None = None) -> list[str]:
-    """Return a command that runs `command` in an outer sandbox, with its own network, read-only files, and its own
-    /dev/shm.
+    """Return a command that runs `command` in an outer sandbox.
+
+    The sandbox has its own network, read-only files, and its own /dev/shm.
 
     The process that calls this function must also start the command, because the command contains this process's ID.
     The sandbox's processes are killed as soon as this process exits or the thread that started the command finishes.

@@ -45,7 +45,7 @@ class Ids:
         self._holder = holder
 
     def release(self) -> None:
-        """End the lease. If it has already ended, do nothing."""
+        """Release the lease. If it has already been released, do nothing."""
         if self._holder is not None:
             self._holder.close()
             self._holder = None

@@ -75,7 +75,7 @@ class ForkedProgram:
         """Wait for the program to exit, and return its exit code.
 
         Raises subprocess.TimeoutExpired after `timeout` seconds. Several threads may wait at the same time. The
-        supervisor exits after its last report, which closes the pipe and so wakes all of the threads, although only one
+        supervisor exits after its last report. That closes the pipe and so wakes all of the threads, although only one
         of them reads the report.
         """
         deadline = None if timeout is None else time.monotonic() + timeout

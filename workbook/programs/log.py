@@ -14,7 +14,7 @@ _OWN_FRAME = re.compile(
     r"(?: {4}[^\n]*\n)*",
     re.MULTILINE,
 )
-"""Matches a stack frame of our own code in a traceback that a program prints.
+"""Matches a stack frame of our code in a traceback that a program prints.
 
 Programs print tracebacks with print_stack(), faulthandler, or logging.
 """
@@ -68,7 +68,7 @@ class ProgramLog:
         return self._seen > LOG_KEPT_BYTES
 
     def text(self) -> str:
-        """Return the kept parts of the log, without stack frames of our own code."""
+        """Return the kept parts of the log, without stack frames of our code."""
         head, tail = bytes(self._head), bytes(self._tail)
         if self._seen <= len(head) + len(tail):
             return _without_own_frames(plain_text(head + tail))

@@ -60,9 +60,8 @@ class Child(Protocol):
 class Order:
     """A program to start: its environment, limits, and output descriptor, and the `arguments` for its host.
 
-    `cgroup_join_file`: the file through which the program's process joins a memory cgroup before it reads any of the
-    program's code, or None if there's no group. `input_fd`: the descriptor for standard input, or None for a program
-    without input.
+    `cgroup_join_file`: the file through which the process joins a memory cgroup before it reads the program's code, or
+    None if there's no group. `input_fd`: the descriptor for standard input, or None for a program without input.
     """
 
     arguments: Sequence[str]
@@ -108,8 +107,8 @@ class Confinement(Protocol):
     def sockets(self, pids: Sequence[int]) -> int:
         """Return the number of sockets that the program has open.
 
-        If the program is in a network namespace that only the judge shares, return the number of sockets that were
-        added to that namespace since the program was started.
+        If only the judge and the program use a network namespace, return the number of sockets added to it since the
+        program was started.
         """
 
     def queued_bytes(self, worth_counting: int) -> int:
@@ -149,7 +148,7 @@ class Tier(Protocol):
 
 
 def threads_of_libraries() -> int:
-    """Return the number of threads that a program's libraries may start on this machine, besides the program's own."""
+    """Return the number of threads that a program's libraries may start in addition to the program's own threads."""
     return THREADS_PER_CORE * (os.cpu_count() or 1)
 
 

@@ -19,7 +19,7 @@ from workbook.recording.limits import Limits
 KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core", "signals")
 """The limits that the kernel enforces per process.
 
-The number of processes isn't one of them, because the kernel would count all of the user's processes, and it doesn't
+The number of processes isn't one of them, because the kernel would count all of the user's processes. Also, it doesn't
 apply that limit to root.
 """
 

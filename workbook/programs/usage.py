@@ -53,7 +53,7 @@ def too_many(pids: Sequence[int], most: int) -> bool:
 
 
 def running(pids: Iterable[int]) -> list[int]:
-    """Return those of the processes that are still running. Zombies, which still have a process ID, are left out."""
+    """Return the processes that are still running. Zombies, which still have a process ID, are left out."""
     found = []
     for pid in pids:
         with suppress(OSError):

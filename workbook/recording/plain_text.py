@@ -26,9 +26,8 @@ def without_commands(text: str) -> str:
     """Remove everything that a terminal could interpret as a command or that could mislead a reader.
 
     Remove escape sequences, and all control characters except line breaks and tabs. Also remove all invisible
-    characters except spaces, because they can make two different strings look the same, change the writing direction,
-    or hide words. Characters that join letters or emoji stay where they join something, because some names contain
-    them.
+    characters except spaces, because they can make one string look like another, change the writing direction, or hide
+    words. Characters that join letters or emoji stay where they join something, because some names contain them.
     """
     if text.isascii() and text.isprintable():
         return text

@@ -44,16 +44,16 @@ class Plan:
 
     `topics`: the names of the judged topics. `shortest_period` and `longest_period`: the shortest and longest period
     (s) among the judged rates. `paced`: the topics whose rate is judged. `simulated_seconds`: the simulated time to
-    watch, or None for nine times the longest period. `wall_seconds`: the real time to watch on the wall clock, or None
-    for four times the longest period plus half a second, but at least four seconds. `script`: the judge's messages,
+    watch, or None for nine times the longest period. `wall_seconds`: the real time to watch on the wall clock. None
+    means four times the longest period plus half a second, but at least four seconds. `script`: the judge's messages,
     services, and calls. `seed`: the script's seed, or None if the script is the same in each run.
 
     `to_the_end`: whether the watch also looks for nodes that are still in the graph after the program has exited. If
-    so, a DDS participant that vanishes without a dispose message stays in the judge's graph much longer than such a
-    message takes on a busy machine. So a node that's still there didn't send one. `bytes_per_topic`: the limit on the
-    bytes of messages that are kept for each topic. `features`: functions, by topic and field, that extract facts about
-    large fields. The facts are kept in addition to the field's beginning, size, and hash. `steps_per_period`: the
-    number of simulated time steps in the shortest judged period.
+    so, a DDS participant that vanishes without a dispose message stays in the judge's graph for a long time. That time
+    is much longer than a dispose message takes on a busy machine, so a node that's still there didn't send one.
+    `bytes_per_topic`: the limit on the bytes of messages that are kept for each topic. `features`: functions, by topic
+    and field, that extract facts about large fields. The facts are kept in addition to the field's beginning, size, and
+    hash. `steps_per_period`: the number of simulated time steps in the shortest judged period.
     """
 
     topics: tuple[str, ...]

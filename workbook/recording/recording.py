@@ -22,8 +22,8 @@ Clock = Literal["simulated", "wall"]
 class Arrival:
     """One message as it arrived. `value` contains its fields as plain data, e.g. `{"data": 99.5}`.
 
-    `t` and `wall` are its arrival times. `sent` is the wall time (s) at which the program published it, from the
-    timestamp that DDS adds to every message, or None in old recordings.
+    `t` and `wall` are its arrival times. `sent` is the wall time (s) at which the program published it, or None in old
+    recordings. It comes from the timestamp that DDS adds to every message.
     """
 
     t: float
@@ -84,8 +84,8 @@ class TopicRecording:
     stored; `too_large` of them exceeded the size limit. `broken_at`: the simulated time (s) at which the first
     undecodable or too large message arrived, or None if there was none. `full_at`: the simulated time (s) at which this
     topic's quota was used up, or None if it never was. `room`: the topic's quota in bytes, or None if the quota that
-    was used up was the number of messages. `kept`: the number of earlier messages that a late subscription received, or
-    None if there was no such subscription or if new messages arrived in the meantime.
+    was used up was the number of messages. `kept`: the number of earlier messages that a late subscription received.
+    It's None if there was no such subscription, or if new messages arrived in the meantime.
     """
 
     name: str
@@ -184,9 +184,9 @@ class SpinSeen:
     """A source line that spins a node and may be the reason why nothing is published: `code` at `line` (from 1).
 
     `callback`: the callback that contains this line, or "" if none does. `kept`: the kind of step that is never
-    reached, because this call doesn't return: another "spin", a line that would "create" an object, or the next "round"
-    of a loop. `later` and `later_code`: the number and the code of the line that is never reached. `waits`: "rate" or
-    "future" if the line doesn't spin, but waits in vain for a rate or a future, or else "".
+    reached, because this call doesn't return. That's another "spin", a line that would "create" an object, or the next
+    "round" of a loop. `later` and `later_code`: the number and the code of the line that is never reached. `waits`:
+    "rate" or "future" if the line doesn't spin, but waits in vain for a rate or a future, or else "".
     """
 
     line: int
@@ -253,9 +253,9 @@ class Recording:
     their own, before the judge switched the program to simulated time.
 
     `held_up_s`: for a watch on the wall clock, the longest time (s) that the judge itself had to wait for a processor.
-    If the judge runs in a virtual machine, its host can withhold processors: `stood_still_s` is the longest time (s)
-    that one of them was withheld, and `taken_s` is the total time (s), averaged over the processors. `in_line_s`: the
-    total time (s) that the program was ready to run but had to wait for a processor.
+    If the judge runs in a virtual machine, its host can withhold processors. `stood_still_s` is the longest time (s)
+    that one of them was withheld. `taken_s` is the total time (s), averaged over the processors. `in_line_s`: the total
+    time (s) that the program was ready to run but had to wait for a processor.
 
     `seed`: the script's seed, or None if the script is the same in each run. `unpublished`: the script's messages that
     were still unpublished when the watch ended. Their `t` and `wall` are the times at which they were due. `spins`: the

@@ -122,8 +122,8 @@ def serves(
 ) -> Serves:
     """Define a service for the program to call.
 
-    `replies` are pairs of a response's fields and its delay (s), which is None if the judge never responds. Raise
-    ValueError if there are no replies.
+    `replies` are pairs of a response's fields and its delay (s), or None instead of the delay if the judge never
+    responds. Raise ValueError if there are no replies.
     """
     if not replies:
         raise ValueError(f"{service} needs at least one reply")

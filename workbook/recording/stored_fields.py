@@ -119,7 +119,7 @@ def name_of_unknown(kind: type) -> str | None:
 
 
 def _as_is(hint: Any) -> frozenset[type]:
-    """Return those of the types allowed by a hint whose values don't need a conversion."""
+    """Return the types allowed by a hint whose values don't need a conversion."""
     if hint in (int, bool, types.NoneType):
         return frozenset([hint])
     if get_origin(hint) in (Union, types.UnionType):

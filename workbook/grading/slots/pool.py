@@ -77,7 +77,7 @@ class SlotPool:
         self._owner = os.getpid()
 
     def fork_from_now_on(self, kind: Kind) -> SlotServer | None:
-        """From now on, fork new slots of this kind from a server. Return the server.
+        """Fork new slots of this kind from a server from now on. Return the server.
 
         Return None if forking is impossible or not worthwhile (see `slot_server`).
         """
@@ -239,8 +239,8 @@ def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: Non
     Use it as a context manager. It does nothing in a tier in which answers can't reach each other (see `meets_others`).
     In the other tiers, an answer could publish on another answer's domain, or lease all domains. A turn is a file lock,
     so the kernel releases it when the process that holds it exits. If the cache folder isn't writable, answers take
-    turns only within this process. `show_place` is called with the number of answers ahead: all answers that wait in
-    this process before this one, or 1 if only another process is judging.
+    turns only within this process. `show_place` is called with the number of answers ahead. It counts the answers that
+    wait in this process, and at most one in another process.
     """
     if not meets_others(isolation):
         yield
@@ -322,7 +322,7 @@ def judge_with_retry(
     If the slot breaks, try once more on another. If both slots break on this answer but a new slot can judge a correct
     answer, this answer is the cause. Then the judgment is `ungradable`, and its reason begins with `STOPPED_JUDGE`.
     Otherwise, the error is ours, and the judgment is an `infra_error`. Return the judgment together with the slot for
-    further answers, which is None after an `infra_error` of this kind.
+    further answers, or with None after an `infra_error` of this kind.
     """
     reason = ""
     stopped = 0

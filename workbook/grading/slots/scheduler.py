@@ -308,7 +308,7 @@ class _AnswersOfRun(Generic[Key]):
 
 
 def _prepare_for(stems: Iterable[str]) -> None:
-    """If an answer will be type-checked, fill mypy's cache before slots start, because slots can't write to it."""
+    """Fill mypy's cache if answers will be type-checked. Slots start only afterward, because they can't write to it."""
     if any(_is_type_checked(stem) for stem in stems):
         with contextlib.suppress(TypeCheckFailed):  # judging will report the failure
             warm_cache()
