@@ -236,11 +236,11 @@ def _file_of_turns() -> Path:
 def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: None) -> Iterator[None]:
     """Wait until no other answer is being judged by this user on this machine, and keep others waiting.
 
-    Use it as a context manager. It does nothing in a tier in which answers can't reach each other (see `meets_others`).
-    In the other tiers, an answer could publish on another answer's domain, or lease all domains. A turn is a file lock,
-    so the kernel releases it when the process that holds it exits. If the cache folder isn't writable, answers take
-    turns only within this process. `show_place` is called with the number of answers ahead. It counts the answers that
-    wait in this process, and at most one in another process.
+    Use it as a context manager. It waits only in a tier in which untrusted answers could reach each other (see
+    `meets_others`). There, an answer could publish on another answer's domain, or lease all domains. A turn is a file
+    lock, so the kernel releases it when the process that holds it exits. If the cache folder isn't writable, answers
+    take turns only within this process. `show_place` is called with the number of answers ahead. It counts the answers
+    that wait in this process, and at most one in another process.
     """
     if not meets_others(isolation):
         yield
