@@ -29,7 +29,8 @@ OLDEST_GLIBC = (2, 28)
 SECTIONS = ("build", "student", "dev", "torch", "tensorflow", "farm", "similar", "site", "hub")
 STAMP = "workbook-environment.json"
 UNFINISHED = "workbook-unfinished"
-# Left behind by a sourced ROS or another environment; each would change what gets installed or found.
+# Variables that a sourced ROS or another environment leaves behind. Each of them would change which packages are
+# installed or imported.
 LEFTOVERS = (
     "PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE", "PYTHONOPTIMIZE", "VIRTUAL_ENV",
     "LD_LIBRARY_PATH", "_ROS_WHEELS_BOOTSTRAP_COMPLETE",
@@ -38,7 +39,7 @@ LEFTOVERS = (
 
 
 class EnvironmentProblem(Exception):
-    """The environment can't be created here. The message says what is missing and which manual section helps."""
+    """Raised when the environment can't be created. The message says why, and may name a section of environment.md."""
 
 
 def version_text(version: tuple[int, ...]) -> str:
@@ -144,7 +145,7 @@ def read_sections(text: str) -> dict[str, dict[str, list[str]]]:
 
 
 def requirements(sections: dict[str, dict[str, list[str]]], names: list[str]) -> str:
-    """Return requirements text with hashes for the named sections. A package in two sections appears once."""
+    """Return the named sections as requirements text with hashes. A package that's in two sections appears once."""
     merged: dict[str, list[str]] = {}
     for name in names:
         merged.update(sections[name])
@@ -155,7 +156,10 @@ def requirements(sections: dict[str, dict[str, list[str]]], names: list[str]) ->
 
 
 def digest() -> str:
-    """Hash the environment's inputs: lock file, project file, this module, and Jupyter's settings and extensions."""
+    """Hash the environment's inputs.
+
+    They are the lock file, the project file, this module, and Jupyter's settings and extensions.
+    """
     state = hashlib.sha256()
     here = Path(__file__)
     front_end = sorted(here.with_name("front_end").rglob("*.*s*"))
@@ -165,7 +169,10 @@ def digest() -> str:
 
 
 def read_stamp() -> dict[str, Any]:
-    """Load the stamp of `.venv`. It's empty if the environment is missing, unfinished, or broken, or was moved."""
+    """Load the stamp of `.venv`, which records the sections and the inputs that were installed.
+
+    The stamp is empty if the environment is missing, unfinished, or broken, or if it was moved.
+    """
     try:
         stamp = json.loads((VENV / STAMP).read_text())
     except (OSError, ValueError):
@@ -175,9 +182,9 @@ def read_stamp() -> dict[str, Any]:
 
 
 def clean_environ() -> dict[str, str]:
-    """Return environment variables for installers. Omit variables that a sourced ROS left behind.
+    """Return environment variables for installers, without those that a sourced ROS or another environment left behind.
 
-    Two variables turn off notices from pip.
+    Two additional variables turn off notices from pip.
     """
     environ = {name: value for name, value in os.environ.items() if name not in LEFTOVERS}
     environ["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
@@ -186,7 +193,10 @@ def clean_environ() -> dict[str, str]:
 
 
 def run(command: list[Any], what: str, temporary: str | None = None) -> None:
-    """Run a command with its output shown. `temporary` is its TMPDIR. Raise EnvironmentProblem if the command fails."""
+    """Run a command and show its output. Raise EnvironmentProblem if the command fails.
+
+    `what` describes the step in the error message, and `temporary` is the command's TMPDIR.
+    """
     environ = clean_environ()
     if temporary is not None:
         environ["TMPDIR"] = temporary
@@ -201,9 +211,9 @@ def run(command: list[Any], what: str, temporary: str | None = None) -> None:
 
 
 def outside() -> str:
-    """Return the path of the Python that runs this module.
+    """Return the path of the Python interpreter that runs this module.
 
-    If `.venv` is active in the terminal, return the Python that created `.venv` instead.
+    If that interpreter is in `.venv`, return the one that created `.venv` instead.
     """
     if Path(sys.prefix).resolve() != VENV.resolve():
         return sys.executable
@@ -234,7 +244,7 @@ def create(uv: str | None) -> None:
 
 
 def install(uv: str | None, names: list[str]) -> None:
-    """Install sections of the lock into `.venv`, then this project itself, then Jupyter's settings."""
+    """Install the named sections of the lock file into `.venv`, then this project itself, then Jupyter's settings."""
     python = VENV / "bin" / "python"
     pip: list[Any] = [python, "-m", "pip", "install", "--quiet", "--no-input", "--no-build-isolation"]
     if uv is None and not list(VENV.glob("lib/python*/site-packages/pip/__init__.py")):
@@ -265,7 +275,8 @@ def install(uv: str | None, names: list[str]) -> None:
 def ensure(wanted: list[str], chosen_python: bool) -> bool:
     """Install the wanted sections into `.venv`. Return False if the environment was already up to date.
 
-    `chosen_python`: the user chose this Python, so an environment with another version is re-created.
+    `chosen_python`: whether the user chose this Python. If so, an environment with another Python version is
+    re-created.
     """
     stamp = read_stamp()
     current = digest()
@@ -303,7 +314,7 @@ def ensure(wanted: list[str], chosen_python: bool) -> bool:
 
 
 def version_of(python: Path) -> str:
-    """Return an interpreter's version, such as 3.12; empty if the interpreter is missing or doesn't run."""
+    """Return an interpreter's version, such as 3.12, or an empty string if it's missing or doesn't run."""
     command = [str(python), "-I", "-c", "import sys; print('%d.%d' % sys.version_info[:2])"]
     try:
         return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode().strip()
@@ -359,7 +370,7 @@ class OneAtATime:
                 print("Another make is creating the environment; waiting for it ...", flush=True)
                 fcntl.flock(self.handle, fcntl.LOCK_EX)
         except OSError:
-            pass  # a file system without locks: go on without the protection
+            pass  # this file system doesn't support locks, so we continue without one
 
     def __exit__(self, *exception: object) -> None:
         os.close(self.handle)

@@ -1,6 +1,6 @@
-"""Check this machine for `workbook doctor`, and suggest a fix for each problem.
+"""Check this machine for `workbook doctor` and suggest a fix for each problem.
 
-Each check returns one HealthFinding. If a check raises, `examine` reports the exception as a finding.
+Each check returns one HealthFinding. If a check raises an exception, `examine` reports it as a finding.
 """
 
 import os
@@ -25,9 +25,11 @@ if TYPE_CHECKING:
 Status = Literal["ok", "note", "fix"]
 PING_PUBLISHER = Path(__file__).with_name("ping_publisher.py")
 PING_LIMIT_S = 40.0
-"""The longest wait (s) for a ping. With a cold disk and a busy processor, a program takes many seconds to start."""
+"""The longest wait (s) for a ping. With an empty disk cache and a busy processor, a program takes many seconds to
+start.
+"""
 KERNEL_LIMIT_S = 50.0
-"""The longest wait (s) for a kernel. It also has to import IPython."""
+"""The longest wait (s) for a kernel, which also has to import IPython."""
 KERNEL_TRIES = 3
 PORT_TAKEN = "Address already in use"
 GIB = 2**30
@@ -37,7 +39,8 @@ GIB = 2**30
 class HealthFinding:
     """One line of the report.
 
-    The status "fix" means a problem that needs fixing. A "note" is only worth knowing.
+    The status is "fix" for a problem that has to be fixed, "note" for information that may be useful, and otherwise
+    "ok".
     """
 
     status: Status
@@ -118,7 +121,7 @@ def check_rclpy() -> HealthFinding:
 
 
 def check_route(rclpy_folder: Path, system: str) -> HealthFinding:
-    """Report where a ROS comes from that isn't from the wheels, and how that installation differs.
+    """Report the origin of a ROS installation that isn't from the wheels, and its differences from the wheels.
 
     `system` is a value of `platform.system()`.
     """
@@ -241,7 +244,7 @@ def check_two_processes() -> HealthFinding:
 
 
 def _receive_ping() -> "tuple[ProcessRecord, float | None]":
-    """Start a publisher. Return its process record, and the time (s) until its first message (None: no message)."""
+    """Start a publisher. Return its process record and the time (s) until its first message, or None without one."""
     import rclpy
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
@@ -285,10 +288,10 @@ f"domain {os.environ.get('ROS_DOMAIN_ID')} magics {'workbook.magics' in get_ipyt
 
 
 def _start_kernel() -> tuple["KernelManager", "BlockingKernelClient"]:
-    """Start a kernel. If one of its ports is taken, try again. Raises RuntimeError with the kernel's last output.
+    """Start a kernel, and try again if another program has taken one of its ports.
 
-    jupyter_client chooses free ports, but the kernel opens them only a second later. In the meantime, another program
-    may take them.
+    jupyter_client chooses free ports, but the kernel opens them only about a second later, so another program may take
+    them first. Raise RuntimeError with the last line of the kernel's output if the kernel doesn't start.
     """
     from jupyter_client import manager
 
@@ -311,7 +314,7 @@ def check_kernel() -> HealthFinding:
     started = time.monotonic()
     manager, client = _start_kernel()
     try:
-        # A client that has just connected may miss a cell's printed output, but it always gets the reply.
+        # A client that has just connected may miss a cell's printed output, but it always receives the reply.
         reply = client.execute(
             _CELL, reply=True, timeout=KERNEL_LIMIT_S, user_expressions={"said": _SAID.strip()}
         )["content"]
@@ -350,7 +353,7 @@ def check_machine_size() -> HealthFinding:
 
 
 def chromium() -> str | None:
-    """Return the path of the Chromium that the browser tests use; None if there is none."""
+    """Return the path of the Chromium that the browser tests use, or None if no Chromium is installed."""
     for name in (
         "chromium-headless-shell",
         "chromium",
@@ -374,7 +377,7 @@ def check_chromium() -> HealthFinding:
 
 
 def check_sandbox() -> HealthFinding:
-    """Check how well untrusted programs can be confined. Only instructors need this."""
+    """Check how well this machine can isolate untrusted programs. Only instructors need isolation."""
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
     from workbook.isolation.memory_groups import groups_in_words
     from workbook.isolation.tiers import covers, leaves_open, unfiltered

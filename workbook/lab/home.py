@@ -50,9 +50,9 @@ class Desk:
 
 
 def desk_below(root: Path) -> Desk:
-    """Find the student's copy: the server's folder, its `work/`, or a parent folder.
+    """Find the student's copy of the course: the server's root folder, its `work/`, or one of its parent folders.
 
-    If none of them is a copy, return the course's `work/`; without that, return the course folder.
+    If none of these folders is a copy, use the course's `work/`. If that isn't a copy either, use the course folder.
     """
     root = root.resolve()
     course = course_folder().resolve()
@@ -150,7 +150,7 @@ class RestoreHandler(WorkbookHandler):
 
     @web.authenticated
     async def post(self) -> None:
-        """Restore the best version of the named exercise's answer, and send a confirmation."""
+        """Restore the best version of the named exercise's answer and send a confirmation."""
         desk = self.desk()
         asked = json.loads(self.request.body or b"{}")
         stem = str(asked.get("exercise", ""))
@@ -175,7 +175,7 @@ class PredictionsHandler(WorkbookHandler):
 
     @web.authenticated
     async def get(self) -> None:
-        """Send the letters of the choices and of the outcomes, each by prediction name."""
+        """Send two dictionaries, `choices` and `outcomes`, which map a prediction's name to a letter."""
         progress = all_progress(self.desk().answers).get(
             self.get_query_argument("lesson", ""), LessonProgress()
         )

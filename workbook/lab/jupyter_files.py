@@ -8,7 +8,8 @@ import json
 import sys
 from pathlib import Path
 
-# Every kernel of this environment runs this, whichever program starts it, so lessons need no setup cell.
+# Every kernel of this environment runs this file, whichever program starts the kernel, so lessons don't need a setup
+# cell.
 KERNEL_CONFIG = """\
 # Written by the rclpy workbook. Sets up ROS and the magics in each kernel of this environment.
 c = get_config()  # noqa: F821
@@ -22,7 +23,8 @@ else:
     configure(c)
 """
 
-# Settings for learners: JupyterLab asks nothing on the first start and fetches nothing from the network.
+# Settings for learners: JupyterLab doesn't ask questions on the first start, and doesn't fetch anything from the
+# network.
 LAB_SETTINGS = {
     "@jupyterlab/apputils-extension:notification": {
         "fetchNews": "false",
@@ -37,14 +39,15 @@ LAB_SETTINGS = {
     # A notebook with saved widget state counts as unsaved as soon as it's opened again. Without that state, the front
     # end shows the widget's text instead (desk.js).
     "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": False},
-    # JupyterLab 4.6 defaults to "contentVisibility": a third less work for the browser, but once an empty page.
+    # JupyterLab 4.6 defaults to "contentVisibility", which saves the browser a third of the work but once showed us an
+    # empty page.
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer", "kernelShutdown": True},
     # File names get the whole width of the column.
     "@jupyterlab/filebrowser-extension:browser": {"showLastModifiedColumn": False},
 }
 
 FRONT_END = Path(__file__).with_name("front_end")
-"""The extension that JupyterLab loads. It tells the kernel which answer is on the screen.
+"""The extension that JupyterLab loads. It sends the answer cell's current text to the kernel.
 
 Each subfolder is a separate extension, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into
 `static/`.
@@ -60,7 +63,7 @@ KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}
 
 
 def kernel_spec(python: str) -> dict[str, object]:
-    """Return the spec of this environment's `python3` kernel, for any Jupyter that lists it."""
+    """Return the spec of this environment's `python3` kernel, for every Jupyter installation that lists the kernel."""
     return {
         "argv": [python, "-Xfrozen_modules=off", "-m", "ipykernel_launcher", "-f", "{connection_file}"],
         "display_name": "rclpy workbook",
@@ -74,8 +77,8 @@ def install(prefix: Path, python: str) -> list[Path]:
     """Write the settings below an environment's folder and return their paths.
 
     Up-to-date files aren't written, so a student can use an environment that only an administrator can write to. Every
-    other file is replaced by a new one, because uv links installed files to its cache. Writing into such a file would
-    change it in every other environment, too.
+    other file is replaced by a new one, because the old one may be a hard link to the cache of uv. Writing into such a
+    link would change the file in every other environment, too.
     """
     kernels = prefix / "share" / "jupyter" / "kernels" / "python3"
     extension = prefix / "share" / "jupyter" / "labextensions" / "rclpy-workbook"

@@ -8,7 +8,7 @@ from typing import Any
 
 MAGICS = "workbook.magics"
 STATE = Path(".state", "delivered.json")
-"""A file that marks a folder as the student's copy. It's next to `notebooks/`.
+"""The file that marks a folder as the student's copy, relative to that folder.
 
 The name is defined again here, because importing `work_folder` takes time.
 """
@@ -23,7 +23,7 @@ _problems: list[str] = []
 
 
 def configure(config: Any) -> None:
-    """Set up this process's ROS environment, and have IPython load the magics once the shell exists.
+    """Set up this process's ROS environment and have IPython load the magics once the shell exists.
 
     `config` is IPython's configuration object. This function never raises, because a kernel that starts and reports the
     problem is more useful than one that doesn't start.
@@ -32,7 +32,7 @@ def configure(config: Any) -> None:
     os.environ.pop("PYTEST_CURRENT_TEST", None)
     config.IPKernelApp.log_level = (
         logging.ERROR
-    )  # learners can't use the warning about local TCP at each start
+    )  # the warning about local TCP at each start doesn't help learners
     config.InteractiveShellApp.exec_lines.append(_START)
     try:
         from workbook.ros.environment import prepare, uses_wheels
@@ -49,8 +49,8 @@ def configure(config: Any) -> None:
 def load_ipython_extension(shell: Any) -> None:
     """Set up a kernel that hasn't read our configuration: `%load_ext workbook.lab.kernel`, before ROS is imported.
 
-    The wheels set the search path for ROS's libraries when Python starts. If they were installed after that, the path
-    is missing, so we ask the reader to restart the kernel.
+    The wheels set the search path for ROS's libraries when Python starts. If the wheels were installed after that, the
+    path is missing, so we ask the reader to restart the kernel.
     """
     from workbook.ros.environment import library_path, prepare, uses_wheels
 
@@ -87,7 +87,7 @@ def start(shell: Any) -> None:
 
 
 def leave_the_lessons(folder: Path) -> None:
-    """Change to `scratch/` in the student's copy, so that a lesson's files don't end up among the lessons."""
+    """Change to `scratch/` in the student's copy, so that a lesson's own files don't end up among the notebooks."""
     if folder.name == "notebooks" and (folder.parent / STATE).is_file():
         scratch = folder.parent / "scratch"
         scratch.mkdir(exist_ok=True)

@@ -14,15 +14,15 @@ from workbook.lab.work_folder import STATE, WorkFolderUpdate, first_lesson, upda
 from workbook.ros.environment import is_leftover, uses_wheels
 
 NEW_COPY = "rclpy-workbook"
-"""With a wheel, the folder created for the student's copy if the current folder isn't empty."""
+"""The subfolder created for the student's copy if the course comes from a wheel and the current folder isn't empty."""
 
 
 def student_folder() -> Path:
-    """Return the folder of the student's copy: in a clone, `work/`. Raise NoCourse if there is no course.
+    """Return the folder of the student's copy. Raise NoCourse if there is no course.
 
-    If the course was installed from a wheel, it's the current folder or its nearest parent that is a copy. If no such
-    folder exists, it's the current folder, provided that this folder is empty and isn't the home folder; otherwise,
-    it's the subfolder `rclpy-workbook`.
+    In a clone, it's `work/`. If the course was installed from a wheel, it's the nearest folder that already is a copy,
+    from the current folder upward. If there is no copy yet, it's the current folder, provided that this folder is empty
+    and isn't the home folder. Otherwise, it's the subfolder `rclpy-workbook`.
     """
     course = course_folder()
     if not is_from_wheel():
@@ -58,11 +58,11 @@ def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
 
 
 class CannotLaunch(RuntimeError):
-    """JupyterLab can't start. The message says why and what to do."""
+    """Raised when JupyterLab can't start. The message says why and what to do."""
 
 
 def option(arguments: Sequence[str], *names: str) -> str | None:
-    """Return the value of an option (`--name=value` or `--name value`), the last if repeated; None if absent."""
+    """Return an option's value (`--name=value` or `--name value`), or None without it. The last occurrence counts."""
     found = None
     for position, argument in enumerate(arguments):
         name, equals, value = argument.partition("=")
@@ -117,7 +117,8 @@ def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_us
     # JupyterHub sets this variable when it starts us. Its own variant of JupyterLab then asks the hub who may log in.
     module = "jupyterhub.singleuser" if "JUPYTERHUB_SERVICE_URL" in os.environ else "jupyterlab"
     line = [sys.executable, "-P", "-m", module, "--log-level=WARN", f"--ServerApp.root_dir={work}"]
-    # if we name the shell, it isn't a login shell, which would replace the environment's PATH with /etc/profile's
+    # If we name the shell, Jupyter doesn't start a login shell, which would replace the environment's PATH with the one
+    # from /etc/profile.
     shell = os.environ.get("SHELL") or shutil.which("bash") or "/bin/sh"
     line.append(f"--ServerApp.terminado_settings={{'shell_command': [{shell!r}]}}")
     if lesson is not None:

@@ -1,8 +1,8 @@
 """Write requirements.lock: every package with its hashes, in sections, for Python 3.11 to 3.14.
 
 The file is plain requirements text. A line such as `#: dev` opens a section. `build` and `student` make up a student's
-environment, and each further section adds to it. Later sections are resolved with the earlier sections' versions, so
-any choice of sections fits together. The file names no registry, because the installer's own configuration decides.
+environment, and each further section adds to it. All sections are resolved to the same versions, so any combination of
+them is compatible. The file doesn't name a package registry, so the installer's own configuration chooses one.
 `make lock` runs this module.
 """
 
@@ -26,7 +26,7 @@ HEADER = """\
 # build and student are what `make env` installs, `make test` adds dev, farm and similar, and
 # `make env EXTRAS=X` adds X.
 """
-# These markers hold on every supported machine, so the lock file omits them.
+# These markers are true on every supported machine, so the lock file omits them.
 _ALWAYS = {
     "platform_machine == 'x86_64'", "sys_platform == 'linux'", "python_full_version < '3.15'",
     "implementation_name == 'cpython'", "platform_python_implementation == 'CPython'",

@@ -40,7 +40,7 @@ def locked_versions(lock: str) -> dict[str, str]:
 
 
 def installed_version(name: str) -> str | None:
-    """Return a package's version in this environment; None if it isn't installed."""
+    """Return a package's version in this environment, or None if the package isn't installed."""
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
@@ -58,7 +58,7 @@ def differing(lock: str, version: Callable[[str], str | None] = installed_versio
 
 
 def in_words(packages: list[Differing]) -> str:
-    """List at most the first six packages, each with its installed and its locked version."""
+    """Format the first six packages, each with its installed and its locked version, and count the remaining ones."""
     said = [f"{one.name} {one.found or 'missing'} (locked: {one.locked})" for one in packages[:_MOST]]
     more = len(packages) - _MOST
     return ", ".join(said) + (f", and {more} more" if more > 0 else "")

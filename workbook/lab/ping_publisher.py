@@ -1,4 +1,4 @@
-"""Publish ten pings per second. `workbook doctor` starts this program to test messages from another process."""
+"""Publish ten pings per second. `workbook doctor` runs this program to test communication between processes."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException

@@ -1,7 +1,7 @@
 """Update the student's copy of the lessons: add new ones, and never overwrite changed ones.
 
-In a clone, the copy is `work/`. Its notebooks have no outputs, which would give away predictions. The committed
-notebooks keep theirs.
+In a clone, the copy is `work/`. Its notebooks are copied without outputs, which would give away predictions. The
+committed notebooks keep their outputs.
 """
 
 import hashlib
@@ -19,7 +19,7 @@ FOLDERS = ("notebooks", "exercises")
 STATE = Path(".state", "delivered.json")
 """The file that lists the versions delivered to the student.
 
-If a notebook matches none of them, the student has changed it.
+If a notebook doesn't match any of them, the student has changed it.
 """
 BACKUPS = Path(".state", "backups")
 ANSWERS = "answers"
@@ -35,7 +35,7 @@ class WorkFolderUpdate:
     beside: list[tuple[str, str]] = field(default_factory=list)  # (the student's file, the new version)
 
     def lines(self) -> list[str]:
-        """Return the messages for the student, one line each; empty if nothing changed."""
+        """Return the messages for the student, one line each, or an empty list if nothing changed."""
         said = []
         if self.added:
             said.append(f"Added {_count(len(self.added), 'notebook')} to {self.folder}/.")
@@ -56,7 +56,7 @@ def _count(number: int, noun: str) -> str:
 def fingerprint(path: Path) -> str:
     """Hash the types and sources of a notebook's cells, but not outputs or metadata.
 
-    So running a lesson doesn't change its fingerprint. A file that isn't a notebook is hashed as it is.
+    So running a lesson doesn't change its fingerprint. For a file that isn't a notebook, hash the whole content.
     """
     content = path.read_bytes()
     try:
@@ -74,7 +74,7 @@ def _joined(source: object) -> str:
 
 
 def read_state(work: Path) -> dict[str, list[str]]:
-    """Load the fingerprints of all delivered versions, by path below `work/`. The newest is last."""
+    """Load the fingerprints of each file's delivered versions, oldest first, keyed by the file's path below `work/`."""
     try:
         state = json.loads((work / STATE).read_text(encoding="utf-8"))
         return {str(name): [str(mark) for mark in marks] for name, marks in state.items()}
@@ -111,7 +111,7 @@ def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
             marks.remove(new)
         marks.append(new)
     for page in [*sorted((root / "notebooks").glob("*.md")), *sorted((root / "lesson_nodes").glob("*.py"))]:
-        _copy(page, work / page.relative_to(root))  # read-only for students, so nothing is lost
+        _copy(page, work / page.relative_to(root))  # students only read these files
     (work / ANSWERS).mkdir(parents=True, exist_ok=True)
     _write(work / STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
     return report
@@ -123,7 +123,7 @@ def lessons(root: Path) -> list[Path]:
 
 
 def first_lesson(root: Path) -> str | None:
-    """Return the lesson to open, as a path below `work/`; None if there are no lessons."""
+    """Return the path below `work/` of the lesson to open, or None if there are no lessons."""
     found = lessons(root)
     return found[0].relative_to(root).as_posix() if found else None
 
@@ -143,7 +143,7 @@ def keep_backup(work: Path, path: Path) -> Path:
 
 
 def without_outputs(text: str) -> str:
-    """Remove outputs and execution counts from a notebook's text. Text without any is returned unchanged."""
+    """Remove outputs and execution counts from a notebook's text. If there are none, return the text unchanged."""
     try:
         notebook = json.loads(text)
         ran = [one for one in notebook["cells"] if one.get("outputs") or one.get("execution_count")]
@@ -165,7 +165,7 @@ def with_language_version(text: str) -> str:
 
 
 def _earlier_copies(source: Path) -> set[str]:
-    """Return a notebook's copies as earlier course versions made them: unchanged, or without outputs."""
+    """Return a notebook's text in the two forms that earlier course versions copied: unchanged, or without outputs."""
     text = source.read_text(encoding="utf-8")
     return {text, without_outputs(text)}
 
@@ -193,7 +193,7 @@ def _write(target: Path, text: str) -> None:
 
 
 class NoSuchExercise(LookupError):
-    """No exercise has this name. The message lists the existing ones."""
+    """Raised when no exercise has the given name. The message lists the existing exercises."""
 
 
 def find_exercise(root: Path, name: str) -> str:

@@ -78,7 +78,7 @@
   // Name the arrow in front of a heading, because JupyterLab doesn't.
   const nameFold = button => button.setAttribute('aria-label', 'Fold or unfold this section');
 
-  // Replace a button or slider whose kernel has ended with its text, which says what to do.
+  // Replace a button or slider whose kernel has exited with its text, which says what to do.
   const showText = (notebook, place) => {
     const cell = notebook.widgets.find(one => one.outputArea?.node.contains(place));
     const at = cell ? cell.outputArea.widgets.findIndex(one => one.node.contains(place)) : -1;

@@ -15,7 +15,7 @@ const later = ms => new Promise(resolve => setTimeout(resolve, ms));
 // Return whether an image embedded in the page (a data URL) is a film.
 export const isFilm = image => MOVES.test(atob(HEAD.exec(image.src)?.[1] || ''));
 
-// Return a film's frame count and `picture(at)`, which decodes one frame; null if the browser can't decode the film.
+// Return a film's frame count and `picture(at)`, which decodes one frame, or null without a decoder for the film.
 const takeApart = async src => {
   const data = await fetch(src).then(answer => answer.blob());
   if (!('ImageDecoder' in window) || !(await ImageDecoder.isTypeSupported(data.type))) {

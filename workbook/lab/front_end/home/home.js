@@ -171,7 +171,7 @@
       if (launcher) {
         launcher.add({command: COMMAND, category: 'Other', rank: 0});
       }
-      // If the address names no notebook, JupyterLab opens the home page.
+      // If the address doesn't name a notebook, JupyterLab opens the home page.
       app.restored.then(() => {
         if (!PageConfig.getOption('treePath') && PageConfig.getOption('workspace') === 'default') {
           show();

@@ -131,7 +131,7 @@
           start(false);
         }
       };
-      // No tour in a named workspace, because the reader has opened that on purpose.
+      // Don't show the tour in a named workspace, because the reader has opened that workspace on purpose.
       if (PageConfig.getOption('workspace') === 'default') {
         app.restored.then(onceOnly).catch(() => undefined);
       }
