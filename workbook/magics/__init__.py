@@ -1,6 +1,7 @@
 """The IPython extension for exercise notebooks: %%answer, %start, %check, and the other magics.
 
-Every kernel loads it at startup. Among the other packages, only `cli` imports anything from here: the progress table.
+Every kernel loads the extension at startup. Among the other packages, only `cli` imports anything from here: the
+progress table.
 """
 
 from typing import Any

@@ -10,7 +10,7 @@ from traitlets import Integer
 
 
 class CallChecker(PrefilterChecker):
-    """Lets a line begin with a call even if a magic has the same name. It runs before IPython's automagic."""
+    """Lets a line begin with a call even if a magic has the function's name. It runs before IPython's automagic."""
 
     priority = Integer(650).tag(config=True)
 

@@ -32,9 +32,9 @@ def judge(
     stop: Callable[[], bool] = lambda: False,
     progress: ShowProgress | None = None,
 ) -> Judgement:
-    """Judge an answer in the slot that is kept ready, or send it to the class's judging service.
+    """Judge an answer in the warm slot, or send it to the class's judging service.
 
-    Judge the answer again while the result is inconclusive and `stop()` returns False, at most three times.
+    While the result is inconclusive and `stop()` returns False, judge the answer again, at most three times.
     """
 
     service = os.environ.get(ADDRESS)
@@ -57,7 +57,10 @@ def judge(
 def _timeline(
     exercise: Exercise, judgement: Judgement, first: CriterionResult | None
 ) -> tuple[bytes | None, str]:
-    """Draw the arrivals if the first failed criterion is about time. Return the PNG (or None) and its text."""
+    """Draw a timeline of the messages if the first failed criterion is about time.
+
+    Return the PNG bytes and the alternative text, or None and an empty string.
+    """
     if first is None or not first.about_time or judgement.recording is None:
         return None, ""
     return judged_timeline(exercise, judgement.recording)
@@ -65,10 +68,10 @@ def _timeline(
 
 @dataclass(frozen=True)
 class Asked:
-    """The answer that a `%check` judges.
+    """The input of a `%check`: the exercise, the answer to judge, and details for the result card.
 
     `version`: the version of the answer that was run if we couldn't read the one on the screen, or None otherwise.
-    `replays`: whether the notebook's front end, rather than the kernel, moves the robot on the result card.
+    `replays`: whether the notebook's front end, rather than the kernel, animates the robot on the result card.
     """
 
     exercise: Exercise

@@ -135,7 +135,7 @@ class ExerciseMagics(Magics):
         )
 
     def _request(self) -> object:
-        """Return the message that requested the running cell; empty outside of a kernel."""
+        """Return the message that requested the running cell, or an empty dictionary outside of a kernel."""
         parent = getattr(self.shell, "get_parent", dict)
         return parent()
 
@@ -271,7 +271,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def stop(self, line: str) -> None:
-        """End the program that %start started, as Ctrl-C would."""
+        """Stop the program that %start started, as Ctrl-C would."""
         self._report(self._stop, line)
 
     def _stop(self, line: str) -> None:
@@ -305,7 +305,7 @@ class ExerciseMagics(Magics):
         asked = checking.Asked(exercise, answer, shown, hints_left, version, kept, draws_robots())
         warm_slots.warm_up(
             Kind()
-        )  # not in the thread below, because a slot ends with the thread that started it
+        )  # not in the thread below, because a slot is terminated when the thread that started it finishes
         card = LiveCard(asked)
         self._last = (answer, card)
         self._watcher = threading.Thread(target=card.judge, name="check", daemon=True)

@@ -28,7 +28,7 @@ ROBOT_ON_CARD = "workbook.magics.robot_on_card"
 CHECK = "application/vnd.rclpy-workbook.check+json"
 """MIME type of the instructions to card.js that move the robot on a card."""
 BLANK_S = 0.3
-"""How long (s) the cell may stay empty."""
+"""The longest time (s) for which the cell's output may stay empty."""
 ROBOT_AFTER_S = ROBOT_FOR_S = 1.0
 """The robot appears only after this time (s), and only if it will stay for at least as long. Otherwise, it would just
 flash.
@@ -58,7 +58,7 @@ class WaitingLine:
 
 
 def _what_is_watched(exercise: Exercise) -> str:
-    """Describe the watch in a sentence, with its duration in simulated or real time, as the exercise requires."""
+    """Return a sentence that gives the duration of the watch, in simulated or real time, as the exercise requires."""
     seconds = round(_planned_s(exercise))
     shortest, longest = _MINUTE
     how_long = "one minute" if shortest <= seconds <= longest else f"{seconds} seconds"
@@ -93,7 +93,7 @@ class LiveCard:
         self._has_card = False
 
     def judge(self) -> None:
-        """Judge the answer, and show the result."""
+        """Judge the answer and show the result."""
         asked = self._asked
         blank = threading.Timer(BLANK_S, self._begin_to_wait)
         blank.daemon = True
@@ -108,7 +108,7 @@ class LiveCard:
     def _begin_to_wait(self) -> None:
         self._wait(None)
         if self._asked.replays:
-            import_module(ROBOT_ON_CARD)  # imported only now, so that it delays nothing else
+            import_module(ROBOT_ON_CARD)  # imported only now, so that the import doesn't delay anything else
 
     def _wait(self, progress: Progress | None) -> None:
         """Show progress until the card is ready.
@@ -143,7 +143,7 @@ class LiveCard:
             return
         if not judgement.provisional:
             self.judgement = judgement
-            with suppress(OSError):  # with a full disk, only the note is lost
+            with suppress(OSError):  # if the disk is full, only the saved progress is lost
                 self._asked.kept.note(judgement)
         with self._one_at_a_time:
             self._has_card = True
@@ -174,7 +174,7 @@ class LiveCard:
         self._put_card(judgement)
 
     def _put(self, shown: Card | WaitingLine, robot: dict[str, object] | None) -> None:
-        """Show a card or a line. `robot`: instructions for card.js; None without a robot."""
+        """Show a card or a line. `robot`: instructions for card.js, or None without a robot."""
         bundle: dict[str, object] = {"text/plain": repr(shown), "text/html": shown._repr_html_()}
         if robot is not None:
             bundle[CHECK] = robot

@@ -31,7 +31,7 @@ class LessonRow:
 
     @property
     def read(self) -> str:
-        """How many of the lesson's cells were read, as text."""
+        """The percentage of the lesson's cells that the student has read, as text."""
         done, of = self.state.cells
         if not done:
             return "–"
@@ -39,13 +39,13 @@ class LessonRow:
 
     @property
     def predicted(self) -> str:
-        """How many predictions were made, as text; empty if the lesson asks for none."""
+        """The number of predictions made, as text, or an empty string if the lesson doesn't ask for any."""
         done, of = self.state.predictions
         return f"{done} of {of}" if of else ""
 
     @property
     def exercise(self) -> str:
-        """The state of the exercise, as text; empty if there is none."""
+        """The exercise's status, as text, or an empty string if the lesson has no exercise."""
         exercise = self.state.exercise
         if exercise is None:
             return ""
@@ -55,7 +55,7 @@ class LessonRow:
 
     @property
     def score(self) -> str:
-        """The most points so far, as text; empty before the first try."""
+        """The most points earned so far, as text, or an empty string before the first try."""
         exercise = self.state.exercise
         return f"{exercise.points[0]:g} of {exercise.points[1]:g}" if exercise and exercise.tries else ""
 
@@ -93,7 +93,7 @@ class ProgressTable:
 
     @property
     def next_step(self) -> str:
-        """The first thing to do next."""
+        """A sentence that suggests the next step."""
         return self.course.next_step
 
     def text(self, columns: int | None = None) -> str:

@@ -1,7 +1,7 @@
-"""Prepare the robot on a check's card, which JupyterLab draws and moves by the recorded messages.
+"""Prepare the robot on a check's card. JupyterLab draws it and moves it according to the recorded messages.
 
 While the judge watches, the robot follows the latest messages. With full marks, it replays a part of the recording. The
-front end's code is in workbook/lab/front_end/panel/card.js. In other front ends, readers see a still.
+front end's code is in workbook/lab/front_end/panel/card.js. In other front ends, readers see a still image.
 """
 
 import contextlib
@@ -19,16 +19,16 @@ from workbook.pictures.joints import NEUTRAL, waving
 from workbook.recording.recording import Recording
 
 EXCERPT_S = 8.0
-"""How many seconds of simulated time are replayed. The replay takes as many seconds of real time."""
+"""The length (s) of the replayed excerpt on the recording's clock. The replay takes the same time in real seconds."""
 TICK_S = 0.1
 """In each interval of this length (s), only a topic's last message moves the robot."""
 LARGEST_REPLAY = 40_000
-"""The largest replay, in characters of JSON. The limit exists because the notebook stores the replay."""
+"""The size limit of a replay, in characters of JSON. The limit exists because the notebook stores the replay."""
 WAVE_S = 2.7
 FAST_GLIDE_MS = 110
-"""How long (ms) the robot glides to a new pose while the judge watches. Updates come four times a second."""
+"""The duration (ms) of the robot's glide to a new pose while the judge watches. Updates arrive four times a second."""
 GLIDES_MS = (70, 300)
-"""The shortest and the longest glide to a pose in a replay."""
+"""The shortest and the longest duration (ms) of a glide to a pose in a replay."""
 MOVES_NOW = "Your program's messages move the robot."
 MOVED = "A replay: your program's messages moved the robot like this."
 _PER_GLIDE = 5
@@ -51,8 +51,8 @@ def _line(value: Mapping[str, object]) -> str:
 def _take(robot: PanelRobot, topic: str, type_name: str, value: object, now: float) -> None:
     """Have the robot react to a message. If a message doesn't fit its type, the robot ignores it.
 
-    A message without an effect on the robot is shown only if it's a number or a word. Others would fill the line below
-    the robot.
+    A message without an effect on the robot is shown only if it's a number or a word. Longer messages would fill the
+    line below the robot.
     """
     if not isinstance(value, Mapping) or topic.startswith(PLUMBING):
         return
@@ -106,7 +106,7 @@ class _Seen(NamedTuple):
 
 
 def _messages(recording: Recording) -> list[_Seen]:
-    """Return the program's messages and the responses to calls, in order, at most one per topic and tick.
+    """Return the program's messages and the responses to calls in chronological order, at most one per topic and tick.
 
     The judge's messages are included, unless the program's own messages have the same effect on the robot.
     """
@@ -143,7 +143,10 @@ def _all_events(messages: Iterable[_Seen]) -> Iterator[tuple[float, dict[str, ob
 
 
 def _liveliest(events: list[tuple[float, dict[str, object]]]) -> int:
-    """Return the index of the event at which the liveliest excerpt begins. Among equals, the first one wins."""
+    """Return the index of the event at which the excerpt with the most different effects begins.
+
+    Ties go to the earliest excerpt.
+    """
 
     def shown(first: int) -> int:
         last = bisect_left(events, events[first][0] + EXCERPT_S, key=lambda event: event[0])
@@ -172,7 +175,7 @@ def _bounded(events: list[Event]) -> list[Event]:
 
 
 def _glide(events: list[Event]) -> int:
-    """Return how long (ms) the robot should take to reach a pose. The less often poses arrive, the longer it takes."""
+    """Return the time (ms) that the robot takes to reach a pose. It's longer if poses arrive less often."""
     poses = [moment for moment, news in events if "pose" in news]
     gaps = sorted(later - earlier for earlier, later in zip(poses, poses[1:], strict=False))
     fastest, slowest = GLIDES_MS

@@ -13,11 +13,11 @@ from workbook.programs.spec import ProgramSpec
 
 LAST_WORDS = "/driver/last_words"
 LAST_POSE_S = 5.0
-"""The longest wait (s) for a partner to act on the program's last output and then end by itself."""
+"""The longest wait (s) for a partner to act on the program's last output and then exit by itself."""
 
 
 class Running:
-    """Holds the running programs, at most one per exercise, along with the exercise's partner, if there is one."""
+    """Holds the running programs, at most one per exercise, and their partners."""
 
     def __init__(self) -> None:
         self._programs: dict[str, NodeProcess] = {}
@@ -31,14 +31,17 @@ class Running:
             self._end(stem, told=False)
 
     def start_partner(self, stem: str, partner: Path) -> NodeProcess:
-        """Start the exercise's partner, which plays the rest of the robot. It ends with the program started next."""
+        """Start the exercise's partner, a program that plays the rest of the robot.
+
+        The partner is stopped when the program that's started next exits.
+        """
         self.stop(stem)
         process = self._process(partner)
         self._partners[stem] = process
         return process
 
     def start(self, stem: str, program: Path, driver: Path | None = None) -> NodeProcess:
-        """Start `program`. First end any earlier run of the same exercise, but leave its partner running."""
+        """Start `program`. First stop any earlier run of the same exercise, but leave its partner running."""
         self._end_program(stem)
         process = self._process(program, driver)
         self._programs[stem] = process
@@ -60,7 +63,7 @@ class Running:
         self._robots[stem] = RobotInCell()
 
     def stop(self, stem: str, *, told: bool = True) -> NodeProcess | None:
-        """End an exercise's program and its partner. Return the program, or None if it wasn't running.
+        """Stop an exercise's program and its partner. Return the program, or None if it wasn't running.
 
         `told`: whether the partner first receives the program's last output, and some time to act on it.
         """
@@ -71,7 +74,8 @@ class Running:
         return process
 
     def _end(self, stem: str, *, told: bool) -> NodeProcess | None:
-        # Remove the partner first. Otherwise, the thread that waits for the program's end would end it too early.
+        # Remove the partner first. Otherwise, the thread that waits for the program to exit would stop the partner too
+        # early.
         partner = self._partners.pop(stem, None)
         try:
             process = self._end_program(stem)
@@ -91,13 +95,13 @@ class Running:
         return process if was_running else None
 
     def _end_partner_after(self, stem: str, partner: NodeProcess, process: NodeProcess) -> None:
-        """Wait for a program to end by itself, and then end its partner."""
+        """Wait for a program to exit, and then stop its partner."""
         _wait_for_end(process)
         if self._partners.get(stem) is partner and self._partners.pop(stem, None) is partner:
             partner.stop()
 
     def stop_all(self) -> list[str]:
-        """End all programs and their partners. Return the stems of the exercises whose program was running."""
+        """Stop all programs and their partners. Return the stems of the exercises whose program was running."""
         stems = dict.fromkeys(
             (*self._programs, *self._partners)
         )  # an interrupted start may leave only a partner

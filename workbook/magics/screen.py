@@ -1,4 +1,4 @@
-"""Read the answer cell's text from the screen, even if the cell wasn't run, and put an answer on the screen.
+"""Read the answer cell's text from the screen, even if the cell hasn't been run, and put an answer on the screen.
 
 JupyterLab sends the text with each cell that runs (workbook/lab/front_end/answers.js). With other front ends, the
 version that was run is judged, and we compare it with the saved notebook.
@@ -22,7 +22,8 @@ STARTED_PAYLOAD = "workbook_started"
 class Version:
     """The version of an answer that was run, for use if we can't read the screen.
 
-    `ran_at`: when the student ran it, as text. `differs`: whether the notebook was saved later with a different answer.
+    `ran_at`: the time at which the student ran it, as text. `differs`: whether the notebook was saved later with a
+    different answer.
     """
 
     ran_at: str
@@ -37,9 +38,9 @@ class Version:
 
 
 def answers_on_screen(request: Any) -> list[tuple[str, str]] | None:
-    """Return the name and program of each answer cell, from top to bottom; None if the front end doesn't send them.
+    """Return the exercise name and program of each answer cell, or None if the front end doesn't send the cells.
 
-    `request` is the message that requested the running cell.
+    The cells are in order from top to bottom. `request` is the message that requested the running cell.
     """
     told = request.get("metadata", {}).get("workbook") if isinstance(request, dict) else None
     sources = told.get("answers") if isinstance(told, dict) else None
@@ -59,7 +60,7 @@ def answers_on_screen(request: Any) -> list[tuple[str, str]] | None:
 def answer_on_screen(request: Any, stem: str) -> str | None:
     """Return the program in the last answer cell of an exercise.
 
-    The result is None if there is no such cell, or if the front end doesn't send it.
+    The result is None if there is no such cell, or if the front end doesn't send the cells.
     """
     fitting = [program for name, program in answers_on_screen(request) or [] if means(name, stem)]
     return fitting[-1] if fitting else None
@@ -98,5 +99,5 @@ def put_on_screen(shell: Any, request: Any, stem: str, program: str) -> None:
 
 
 def offer_panel(shell: Any) -> None:
-    """Have JupyterLab open the robot panel. It does so only for the first program that starts in each browser tab."""
+    """Have JupyterLab open the robot panel, which it does only for the first program started in each browser tab."""
     shell.payload_manager.write_payload({"source": STARTED_PAYLOAD})

@@ -20,7 +20,7 @@ _STANDARD = (Path(sysconfig.get_path("stdlib")).resolve(), Path(sys.base_prefix)
 
 
 def library_of(frame: str) -> str | None:
-    """Return the library that a traceback's frame belongs to, such as rclpy; None if it isn't in a library."""
+    """Return the library that a traceback's frame belongs to, such as rclpy, or None if it isn't in a library."""
     found = _FRAME_IN_FILE.match(_ANSI.sub("", frame).lstrip())
     if found is None:
         return None
@@ -61,7 +61,7 @@ class FoldedFrames:
 
     @property
     def title(self) -> str:
-        """The number of frames, and the libraries' names."""
+        """The number of frames and the libraries' names, as text."""
         count = "1 more frame" if len(self.frames) == 1 else f"{len(self.frames)} more frames"
         return f"{count}, inside {', '.join(self.libraries)}"
 
