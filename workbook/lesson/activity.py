@@ -17,28 +17,29 @@ runs are faster.
 AT_ONCE_S = 0.5
 """Cells sent within this time of each other were sent together, even on a slow machine."""
 BY_ITSELF_S = 0.2
-"""In a Run All, some editors send each cell within this time after the previous cell has ended. A person is slower."""
+"""In a Run All, some editors send each cell within this time after the previous one has finished. A person is slower.
+"""
 
 
 class StudyPace:
     """Distinguishes cells that a person runs one by one from the cells of a Run All.
 
     A cell counts as read if it was sent at least `AT_LEAST_S` after the previous cell, and not within `BY_ITSELF_S`
-    after that cell ended. JupyterLab sends all cells of a Run All together; VS Code sends each cell when the previous
-    one has ended. The first cell of a Run All looks as if a person ran it, so it's counted as read at first. If the
-    next cell follows too soon, it no longer counts.
+    after that cell finished. JupyterLab sends all cells of a Run All together; VS Code sends each cell when the
+    previous one has finished. The first cell of a Run All looks as if a person ran it, so it's counted as read at
+    first. If the next cell follows too soon, the first one no longer counts.
     """
 
     def __init__(self) -> None:
         self.counted: str | None = None
-        """The last cell's ID, if its last run made it count as read; else None."""
+        """The last cell's ID if its last run made it count as read, or None otherwise."""
         self._sent: float | None = None
         self._ended = 0.0
 
     def takes_back(self, sent: float) -> str | None:
-        """Return the ID of the last cell if it shouldn't have been counted as read; otherwise, return None.
+        """Return the ID of the last cell if it no longer counts as read, or None otherwise.
 
-        That is the case if the next cell, which was sent at `sent`, followed too soon.
+        It no longer counts if the next cell, which was sent at `sent`, followed too soon.
         """
         if self._sent is None:
             return None
@@ -46,7 +47,7 @@ class StudyPace:
         return self.counted if too_soon else None
 
     def step(self, sent: float) -> bool:
-        """Return whether a person ran this cell by itself. Call it when the cell, sent at `sent`, has ended."""
+        """Return whether a person ran this cell by itself. Call this method after the cell, sent at `sent`, has run."""
         alone = self._sent is None or (
             sent - self._sent >= AT_LEAST_S and not 0 <= sent - self._ended < BY_ITSELF_S
         )
@@ -70,7 +71,10 @@ def lesson_stem() -> str | None:
 
 
 def _sent_at() -> float:
-    """Return when the front end sent the running cell (Unix timestamp, s); the current time if that's unknown."""
+    """Return the time (Unix timestamp, s) at which the front end sent the running cell.
+
+    If that time is unknown, return the current time.
+    """
     from IPython.core.getipython import get_ipython
 
     parent: object = getattr(get_ipython(), "get_parent", dict)()
@@ -87,7 +91,7 @@ def note_prediction(about: str, choice: str) -> None:
         with changed_progress(stem) as progress:
             progress.predictions[about] = choice
     except OSError:
-        pass  # the folder isn't writable, so the lesson goes on without notes
+        pass  # the folder isn't writable, so the lesson continues without saving the choice
 
 
 def note_outcome_seen(name: str) -> None:
@@ -104,7 +108,7 @@ def note_outcome_seen(name: str) -> None:
 
 
 def kept_choice(name: str) -> tuple[str | None, bool]:
-    """Return the saved choice for a prediction (None if there is none), and whether its outcome was shown."""
+    """Return the saved choice for a prediction, or None, and whether the prediction's outcome was shown."""
     stem = lesson_stem()
     if stem is None:
         return None, False
@@ -115,8 +119,8 @@ def kept_choice(name: str) -> tuple[str | None, bool]:
 def note_cell(result: Any, sent: float | None = None) -> None:
     """Record that a cell has run. IPython calls this function with the result after each cell.
 
-    `sent`: when the front end sent the cell, as a Unix timestamp in seconds. It defaults to the date in Jupyter's
-    message.
+    `sent`: the time at which the front end sent the cell, as a Unix timestamp in seconds. It defaults to the timestamp
+    in the header of Jupyter's message.
     """
     stem = lesson_stem()
     cell = getattr(getattr(result, "info", None), "cell_id", None)

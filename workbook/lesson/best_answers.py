@@ -13,7 +13,7 @@ BEST = ".best"
 
 
 class NothingJudged(LookupError):
-    """Raised if no version has earned points yet, so that there is no best version."""
+    """Raised when no version has earned points yet, so there is no best version."""
 
 
 def best_file(stem: str, folder: Path | None = None) -> Path:
@@ -22,7 +22,7 @@ def best_file(stem: str, folder: Path | None = None) -> Path:
 
 
 def best_text(stem: str, folder: Path | None = None) -> str | None:
-    """Return the text of the best version; None if no version has earned points yet."""
+    """Return the text of the best version, or None if no version has earned points yet."""
     try:
         return best_file(stem, folder).read_text(encoding="utf-8")
     except OSError:
@@ -45,7 +45,10 @@ def hands_in_another(stem: str, folder: Path | None = None) -> bool:
 
 
 def restore_best(stem: str, folder: Path | None = None) -> Saved:
-    """Replace the file to hand in with the best version, and keep the old one. Raise NothingJudged if there is none."""
+    """Replace the file to hand in with the best version and keep a copy of the old file.
+
+    Raise NothingJudged if there is no best version.
+    """
     best = best_text(stem, folder)
     if best is None:
         raise NothingJudged(f"No version of {stem} has earned points yet, so there is none to restore.")
@@ -53,7 +56,7 @@ def restore_best(stem: str, folder: Path | None = None) -> Saved:
 
 
 class Check:
-    """A check of an answer, which counts as one try, however often the answer is judged.
+    """A check of an answer. It counts as one try, no matter how often the answer is judged.
 
     The last judgment counts, but it can't lower the points that the student already has.
     """
@@ -74,7 +77,7 @@ class Check:
         points = wording.shown_points(judgement)[0]
         with changed_progress(self._stem) as progress:
             if (progress.solved, progress.best, best_text(self._stem)) != self._left:
-                # another notebook or a terminal has judged this exercise in the meantime
+                # another notebook or a terminal has judged this exercise since this check began
                 self.before, self._best_before = replace(progress), best_text(self._stem)
             progress.tries += not self._noted
             progress.solved = self.before.solved or wording.all_shown_hold(judgement)

@@ -18,7 +18,7 @@ from workbook.lesson.best_answers import hands_in_another
 from workbook.lesson.progress import LessonProgress, all_progress
 
 READ_SHARE = 0.9
-"""A lesson counts as read when this share of its code cells was run one by one."""
+"""A lesson counts as read when this fraction of its code cells has been run one by one."""
 _FENCED = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 _HEADING = re.compile(r"^#{1,3} +(.+)$", re.MULTILINE)
 _ABLE_TO = re.compile(r"^- \*\*You will be able to:\*\*\s*(?:- )?(.+(?:\n {2,}(?!- ).+)*)", re.MULTILINE)
@@ -36,7 +36,7 @@ class CellToGoOnAt:
 
 @dataclass(frozen=True)
 class CodeCell:
-    """A lesson's code cell. `asks`: the name of the prediction that it asks for; empty if none."""
+    """A lesson's code cell. `asks`: the name of the prediction that it asks for, or an empty string."""
 
     id: str
     heading: str
@@ -58,8 +58,8 @@ class LessonText:
 class ExerciseState:
     """The state of an exercise.
 
-    `points`: earned and maximum. `tries`: how many were judged. `hands_in_another`: whether the file to hand in isn't
-    the best version.
+    `points`: the points earned and the maximum. `tries`: the number of judged tries. `hands_in_another`: whether the
+    file to hand in isn't the best version.
     """
 
     title: str
@@ -73,9 +73,10 @@ class ExerciseState:
 class LessonState:
     """The state of one lesson.
 
-    `cells` and `predictions`: how many are done, and how many there are. `exercise`: None if the lesson has none.
-    `place`: where to continue reading; None if every cell was read. `missing`: the first unread cell under each
-    heading. `touched`: when the student last worked on the lesson, as a Unix timestamp in seconds.
+    `cells` and `predictions`: the number done and the total number. `exercise`: its state, or None if the lesson has no
+    exercise. `place`: the cell at which to continue reading, or None if every cell was read. `missing`: the first
+    unread cell under each heading. `touched`: the time at which the student last worked on the lesson, as a Unix
+    timestamp in seconds, or 0.
     """
 
     stem: str
@@ -101,7 +102,7 @@ class LessonState:
 
     @property
     def cells_to_go(self) -> int:
-        """How many more cells have to be read until the lesson counts as read."""
+        """The number of cells still to be read until the lesson counts as read."""
         done, of = self.cells
         return max(0, math.ceil(READ_SHARE * of) - done)
 
@@ -134,7 +135,7 @@ class CourseMap:
 
     @property
     def next_lesson(self) -> LessonState | None:
-        """The lesson to work on next; None if all are done.
+        """The lesson to work on next, or None if all lessons are done.
 
         It's the unfinished lesson that the student worked on last, or else the first unfinished one. Optional lessons
         are never next.
@@ -162,7 +163,7 @@ class CourseMap:
 
     @property
     def sums(self) -> dict[str, tuple[float, float]]:
-        """The number done and the total for each kind: lessons read, predictions made, exercises solved, and points.
+        """The number done and the total, for lessons read, predictions made, exercises solved, and points.
 
         Optional lessons and their predictions don't count.
         """
@@ -199,7 +200,8 @@ def course_map(
 
     `course`, `done`, and `answers` default to the installed course and the saved progress.
 
-    Raise NoCourse or BrokenCriteria, or OSError if a lesson can't be read.
+    Raise NoCourse if there is no course, BrokenCriteria if an exercise can't be loaded, or OSError if a lesson can't be
+    read.
     """
     folder = course_folder() if course is None else course
     kept = all_progress(answers) if done is None else done

@@ -12,9 +12,9 @@ _NAME_ENDS = 22  # a report line consists of a sign, a word, a name, and then th
 
 
 def doctor() -> bool:
-    """Check this machine with `workbook doctor`, and print the report. Return whether the machine is ready.
+    """Check this machine with `workbook doctor` and print the report. Return whether the machine is ready.
 
-    Findings that are OK are shortened to their names.
+    For a finding that is OK, print only its name.
     """
     # The doctor would report this kernel's own ROS variables as leftovers of a sourced ROS.
     environ = {name: value for name, value in os.environ.items() if not (uses_wheels() and is_leftover(name))}

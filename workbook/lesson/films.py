@@ -21,7 +21,7 @@ def with_head(picture: Pixels, neck: float, ball: tuple[float, float] | None, ca
     """Draw the head camera's RGB image with its center line, next to a view of the head from above. Return PNG bytes.
 
     `neck`: the head's angle to the left (rad). `ball`: the ball's column and row, in pixels of the `camera`, whose
-    resolution may be higher than the image's; None if there's no ball.
+    resolution may be higher than the image's, or None if there's no ball.
     """
     marked = picture.copy()
     marked[:, marked.shape[1] // 2] = 255

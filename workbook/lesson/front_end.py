@@ -1,7 +1,7 @@
 """Read the data that JupyterLab's front end sends with the running cell, and send data back.
 
 The front end draws predictions (workbook/lab/front_end/predictions) and robots (workbook/lab/front_end/panel/cell.js).
-Other front ends send nothing.
+Other front ends don't send any data.
 """
 
 from typing import Any
@@ -12,19 +12,19 @@ PREDICTION_PAYLOAD = "workbook_prediction"
 
 
 def request() -> dict[str, Any]:
-    """Return the message that requested the running cell; empty outside of a kernel."""
+    """Return the message that requested the running cell, or an empty dictionary outside of a kernel."""
     found: dict[str, Any] = getattr(get_ipython(), "get_parent", dict)()
     return found
 
 
 def told() -> dict[str, Any]:
-    """Return the data that our front end sent with the running cell; empty with any other front end."""
+    """Return the data that our front end sent with the running cell, or an empty dictionary with other front ends."""
     found = request().get("metadata", {}).get("workbook")
     return found if isinstance(found, dict) else {}
 
 
 def asked() -> dict[str, Any] | None:
-    """Return the prediction for which the front end draws buttons in the running cell; None if it draws none.
+    """Return the prediction for which the front end draws buttons in the running cell, or None if it draws none.
 
     The keys are `name` and, after a click, `choice`.
     """

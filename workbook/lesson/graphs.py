@@ -1,4 +1,4 @@
-"""Draw the current graph: which nodes exchange messages over which topics."""
+"""Draw the current graph of nodes and the topics over which they exchange messages."""
 
 from workbook.pictures import graph as drawing
 from workbook.pictures.stills import Still
@@ -6,7 +6,7 @@ from workbook.ros.tools import graph
 
 
 def graph_picture(*highlight: str) -> Still:
-    """Draw the ROS graph on this notebook's domain: its nodes, its topics, and who publishes or subscribes to which.
+    """Draw the ROS graph on this notebook's domain: nodes, topics, and an arrow for each publisher and subscription.
 
     `highlight`: the names of nodes or topics to draw with a bold frame.
     """

@@ -24,7 +24,7 @@ LARGEST_BYTES = 20_000_000
 _HOMES = re.compile(r"/(?:home|Users)/[^/\s\"'<>:;,()]+")
 _PROGRAMS_WORDS = ("process", "notes", "findings")
 """The parts of a recording in which names are replaced, because they contain text from the system. Messages come from
-the student's answer, so they keep their names.
+the student's answer, so names in them are kept.
 """
 
 
@@ -45,7 +45,7 @@ class HelpReport:
 
 
 class NoReport(ValueError):
-    """Raised if a file isn't a readable report. The message says why."""
+    """Raised when a file isn't a readable report. The message says why."""
 
 
 def help_report(
@@ -86,7 +86,7 @@ def _without_paths(text: str) -> str:
 
 
 def without_names(text: str) -> str:
-    """Replace home folders, the user name, and the host name in a text."""
+    """Replace home folders, the user name, and the host name in a string."""
     text = _without_paths(text)
     host = platform.node()
     names = [(host, "HOST"), (host.split(".")[0], "HOST"), (_user(), "USER")]

@@ -18,7 +18,7 @@ LOOK_EVERY_S = 0.05
 
 
 class Knob:
-    """A slider and its current number. If widgets are missing, the number stays as given in the cell."""
+    """A slider and its current number. If widgets are missing, the number stays the one given in the cell."""
 
     def __init__(self, name: str, value: Number, between: tuple[Number, Number]) -> None:
         low, high = between
@@ -83,12 +83,12 @@ async def knob(
     seconds: float = 10.0,
     **parameters: object,
 ) -> None:
-    """Run a program with a slider for its parameter `name`, and show the robot at the same time.
+    """Run a program with a slider for its parameter `name` and show the robot at the same time.
 
     The parameter starts at `value`; `between` gives its lowest and highest value. If all three are ints, the slider
     moves in whole steps. Each move restarts the program with the new value; the other `parameters` stay the same. The
-    cell ends `seconds` after the last move, or when you press Stop, and then it ends the program. Raise ValueError if
-    `value` is outside of `between`.
+    cell finishes `seconds` after the last move, or when you press Stop, and then it stops the program. Raise ValueError
+    if `value` is outside of `between`.
     """
     turned = Knob(name, value, between)
     start(program, **{name: value}, **parameters)
@@ -131,8 +131,8 @@ async def slide(
     """Show a slider and a figure, and redraw the figure after each move of the slider.
 
     The number `name` starts at `value`; `between` gives its lowest and highest value. `draw` returns the figure for a
-    number, as PNG bytes, and `describe` is the figure's alternative text. The cell ends `seconds` after the last move.
-    Raise ValueError if `value` is outside of `between`.
+    number, as PNG bytes, and `describe` is the figure's alternative text. The cell finishes `seconds` after the last
+    move. Raise ValueError if `value` is outside of `between`.
     """
     turned = Knob(name, value, between)
     turned.show()

@@ -39,7 +39,7 @@ def keep_recording(judgement: Judgement, folder: Path | None = None) -> None:
 
 
 def last_recording(stem: str, folder: Path | None = None) -> LastRecording | None:
-    """Return the last check's recording; None if there is none, or if it can't be read."""
+    """Return the last check's recording, or None if there is none or if it can't be read."""
     try:
         return decode(LastRecording, json.loads(_file(stem, folder).read_text(encoding="utf-8")))
     except (OSError, ValueError, RecursionError):

@@ -1,4 +1,4 @@
-"""Record how messages and timer ticks reach their callbacks, and play the recording in a lesson."""
+"""Record how messages and timer ticks reach their callbacks and play the recording in a lesson."""
 
 import json
 import time
@@ -20,13 +20,13 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.watching.observer import Observer
 
 STARTS_WITHIN_S = 30.0
-"""How long (s) a program may take to start spinning on a busy machine."""
+"""The longest time (s) that a program may take to start spinning on a busy machine."""
 POLL_S = 0.02
 
 
 @dataclass
 class Seen:
-    """Holds the recording of a `watch_machine` block. `recording` is None until the block has ended."""
+    """Holds the recording of a `watch_machine` block. `recording` is None until the block has finished."""
 
     recording: MachineRecording | None = None
 
@@ -45,11 +45,11 @@ def watch_machine(*nodes: Node) -> Iterator[Seen]:
 
 
 def record_machine(program: Program, seconds: float = 3.0, **parameters: object) -> MachineRecording:
-    """Run a program in its own process, and record how messages and timer ticks reach its node's callbacks.
+    """Run a program in its own process and record how messages and timer ticks reach its node's callbacks.
 
     The recording begins when the node first spins, and lasts `seconds`. `parameters` are ROS parameters. `program` is a
     module or file of `lesson_nodes`. It needs a `main()`, and its node needs the file's name. Raise RuntimeError with
-    the program's log if it ended early or never spun.
+    the program's log if the program exits early or never spins.
     """
     file = program_file(program)
     folder = scratch_folder("machine")
@@ -74,7 +74,7 @@ def record_machine(program: Program, seconds: float = 3.0, **parameters: object)
 def show_machine(
     seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
 ) -> None:
-    """Play a recording in the cell, from `begin` to `end` (s; None: to its end).
+    """Play a recording in the cell, from `begin` to `end` (s), or to the recording's end if `end` is None.
 
     `description` is the alternative text. Keep measured numbers out of it, because they vary from run to run.
     """
@@ -86,7 +86,7 @@ def show_machine(
 def film_of(
     seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
 ) -> MovingMachine:
-    """Return the film that `show_machine` shows. Raise RuntimeError if the `watch_machine` block hasn't ended."""
+    """Return the film that `show_machine` shows. Raise RuntimeError if the `watch_machine` block hasn't finished."""
     recording = seen.recording if isinstance(seen, Seen) else seen
     if recording is None:
         raise RuntimeError("the watch_machine block hasn't ended yet: show its recording after the block")

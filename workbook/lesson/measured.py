@@ -13,7 +13,7 @@ def about(value: float, unit: str = "", *, between: tuple[float, float], digits:
     """Format a number that varies from run to run, with "≈": `about(23.1, "ms", between=(5, 60))` is `≈ 23 ms`.
 
     `digits` is the number of significant digits. If the number is outside of the range `between`, the text adds
-    "unusual on this machine". When notebooks are compared, any two numbers with "≈" count as equal, but a text with
+    "unusual on this machine". When notebooks are compared, any two numbers with "≈" count as equal, but a number with
     this remark doesn't equal one without it.
 
     Raise ValueError if the range is empty.
@@ -31,8 +31,8 @@ def yours(got: Any, wanted: Any, hint: str = "") -> None:
     """Check the value that your line of code gives, and print the result.
 
     If `got` still contains `...`, print a reminder to replace it. Otherwise, print whether `got` equals `wanted` and,
-    if not, also the `hint`. Floats, also in tuples and lists, may differ by rounding errors. If `wanted` is a list,
-    `got` may also be an array.
+    if not, also the `hint`. Floats, including those in tuples and lists, may differ by rounding errors. If `wanted` is
+    a list, `got` may also be an array.
     """
     if _is_blank(got):
         print(_REMINDER)

@@ -1,4 +1,4 @@
-"""Support lessons in the older format, whose predictions are free text. The cell that recalls one contains the key."""
+"""Support lessons in the older format: predictions are free text, and the cell that recalls one has the outcome."""
 
 from workbook.lesson.activity import note_prediction
 
@@ -21,7 +21,7 @@ def note_in_words(choice: str, about: str) -> None:
 
 
 def predicted(about: str | None = None) -> str | None:
-    """Return the prediction for an experiment, by default the latest; None if there is none."""
+    """Return the prediction for an experiment, by default the latest, or None if there is none."""
     return _predictions.get(_latest if about is None else about)
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Option:
-    """A possible outcome. `why` explains it. `when` is a condition on the run's measurements; it may be empty."""
+    """A possible outcome. `why` explains it. `when` is a condition on the run's measurements, or empty."""
 
     letter: str
     text: str
@@ -29,7 +29,7 @@ class Prediction:
         return f"{', '.join(most)} or {last}"
 
     def letter_of(self, choice: str) -> str | None:
-        """Return the letter that a choice, such as "b) 60", begins with; None if no option has that letter."""
+        """Return the letter that a choice, such as "b) 60", begins with, or None if no option has that letter."""
         first = choice.strip(" \t\n\"'([*").casefold()[:1]
         return first if any(option.letter == first for option in self.options) else None
 
@@ -38,7 +38,7 @@ class Prediction:
         return next(option for option in self.options if option.letter == letter)
 
     def decided_by(self, measured: Mapping[str, object]) -> str | None:
-        """Return the letter of this run's outcome; None unless `measured` fits exactly one option.
+        """Return the letter of this run's outcome, or None unless `measured` fits exactly one option.
 
         If no option has a condition, the outcome doesn't depend on the run, so the usual outcome counts.
         """

@@ -13,7 +13,7 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
 class Noted(NamedTuple):
-    """The result of a choice: the letter that counts now (None if there is none), and a sentence for the student."""
+    """The result of a choice: the letter that counts now, or None, and a sentence for the student."""
 
     letter: str | None
     words: str
@@ -72,7 +72,7 @@ class Waiting:
         return f"Your prediction comes first: choose {self.letters} above. Then the outcome is shown here."
 
     def shown(self) -> Any:
-        """Show the placeholder, and return its display handle."""
+        """Show the placeholder and return its display handle."""
         return display(self, display_id=True)
 
 
@@ -104,7 +104,11 @@ class PredictionOutcome:
         return f"You predicted {self.mine}. {said}" + (" Well done." if right else "")
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a dictionary per option: sign, letter, text, reason, marks, and kind (happened, mine, or other)."""
+        """Return a dictionary for each option, with the keys sign, letter, text, why, marks, and kind.
+
+        `kind` is "happened" for the outcome, "mine" for the student's choice if that isn't the outcome, and "other" for
+        the remaining options. `marks` says the same in words, and may also name the usual outcome.
+        """
         happened = self.happened or self.prediction.usual
         kinds = {self.mine: "mine", happened: "happened"}
         rows = []

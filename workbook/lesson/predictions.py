@@ -1,4 +1,4 @@
-"""Ask for predictions before a run, and show afterward whether they were right.
+"""Ask for predictions before a run and show afterward whether they were right.
 
 `predict("late-joiner")` asks and, after the run, `reveal("late-joiner", late=...)` shows the outcome. Until then, the
 reader can change the choice. If the reader hasn't chosen, the outcome stays hidden.
@@ -23,10 +23,10 @@ are shown.
 _known = cache(all_predictions)
 _chosen: dict[str, str] = {}
 _closed: dict[str, str | None] = {}
-"""The outcomes that this kernel has shown: a letter by prediction, or None if the run fit no option."""
+"""The outcomes that this kernel has shown: for each prediction, a letter, or None if the run didn't fit any option."""
 _waiting: dict[str, tuple[dict[str, object], Any]] = {}
-"""Runs that ended before the reader chose: by prediction, the measurements and the display handle of the placeholder
-that the outcome will replace.
+"""Runs that finished before the reader chose: for each prediction, the measurements and the display handle of the
+placeholder that the outcome will replace.
 """
 
 

@@ -1,4 +1,4 @@
-"""Run robot programs next to the notebook: start them as processes, record their messages, and end them."""
+"""Run robot programs next to the notebook: start them as processes, record their messages, and stop them."""
 
 import atexit
 import os
@@ -25,10 +25,11 @@ from workbook.watching.quiescence import Quiescence
 Program = ModuleType | Path | str
 POLL_S = 0.02
 AT_WORK_WITHIN_S = 30.0
-"""How long (s) a program may take to open its DDS ports on a busy machine."""
+"""The longest time (s) that a program may take to open its DDS ports on a busy machine."""
 SETTLE_S = 1.0
-"""How long (s) to wait after the ports are open. After this wait, imports and discovery are over, so only the work
-itself is measured."""
+"""The wait (s) after the ports are open. After this wait, imports and discovery are over, so only the work itself is
+measured.
+"""
 
 own_server.keep()  # a lesson runs many programs
 _started: dict[str, NodeProcess] = {}
@@ -45,10 +46,10 @@ def program_file(program: Program) -> Path:
 
 
 def start(program: Program, **parameters: object) -> str:
-    """Start a program in its own process on this notebook's domain. An earlier run of it is ended first.
+    """Start a program in its own process on this notebook's domain. Any earlier run of the program is stopped first.
 
     `parameters` are ROS parameters for its nodes, such as `period_s=0.5`. Return the nodes' names, separated by commas,
-    once the program is spinning. `stop` ends the program. Raise RuntimeError with the program's log if it ends right
+    once the program is spinning. `stop` stops the program. Raise RuntimeError with the program's log if it exits right
     away.
     """
     file = program_file(program)
@@ -67,7 +68,7 @@ def start(program: Program, **parameters: object) -> str:
 
 
 def stop(program: Program | None = None) -> None:
-    """End a program as Ctrl-C would; without `program`, end all programs that `start` started.
+    """Stop a program as Ctrl-C would. Without `program`, stop all programs that `start` started.
 
     Return when the nodes have left the graph, or after a second per program.
     """
@@ -106,7 +107,7 @@ def record(
     clock: Clock = "simulated",
     **parameters: object,
 ) -> Recording:
-    """Run a program on its own domain, and record its messages.
+    """Run a program on its own domain and record its messages.
 
     `periods`: the topics to record, each with its expected period in seconds. `parameters` are ROS parameters for the
     program's nodes. `clock`: with "simulated", `seconds` are simulated time, which passes as fast as the program can
@@ -135,7 +136,7 @@ def processor_seconds(
 
     Without `with_start`, measurement starts a second after the program has opened its DDS ports. The result then
     includes the time that the program's first thread spends in the run queue. Without that time, the result would be
-    too low on a busy machine. Raise RuntimeError if the program ends early.
+    too low on a busy machine. Raise RuntimeError if the program exits early.
     """
     spec = ProgramSpec(program_file(program), parameters=parameters)
     with Observer() as observer:
@@ -177,12 +178,12 @@ def run_program(
     interrupt_at: str | None = None,
     silence: float | None = None,
 ) -> ProcessRecord:
-    """Run a program on its own domain with a time limit, and return how it ended.
+    """Run a program on its own domain with a time limit, and return its process record.
 
     `program`: a module, a path, or code as text. `seconds`: the time limit, so that the program can't hang the
     notebook. `arguments`: the program's command-line arguments. `interrupt_at`: once the program has printed this text
-    and is waiting, it gets Ctrl-C (SIGINT). `silence`: after its first output, the program is ended if it prints
-    nothing for this many seconds. If rclpy itself disturbed the end (see `shutdown_overtaken` and
+    and is waiting, it receives SIGINT, as from Ctrl-C. `silence`: after its first output, the program is stopped if it
+    doesn't print anything for this many seconds. If rclpy itself disturbed the shutdown (see `shutdown_overtaken` and
     `without_executors_end`), the program runs once more.
     """
     code = program if isinstance(program, str) else program_file(program).read_text(encoding="utf-8")

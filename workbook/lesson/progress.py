@@ -12,17 +12,17 @@ from typing import Any
 from workbook.exercise.answer_files import answers_folder
 
 TRIES_BEFORE_SOLUTION = 5
-"""The number of judged tries that opens the solution: enough to use the three hints and to think after each."""
+"""The number of judged tries after which a student may see the solution: enough to use the three hints one by one."""
 
 
 @dataclass
 class LessonProgress:
     """A student's progress in a lesson and its exercise.
 
-    `cells`: the IDs of code cells that were run. `read`: those that were run one by one, according to `activity`.
-    `predictions`: the choices, by experiment. `outcomes_seen`: the predictions that can no longer be changed.
-    `touched`: when something was last saved, as a Unix timestamp in seconds. The other fields describe the exercise:
-    judged tries, hints shown, whether it ever got full marks, and the most points.
+    `cells`: the IDs of code cells that were run. `read`: the IDs of those that were run one by one, according to
+    `activity`. `predictions`: the choices, keyed by prediction or experiment. `outcomes_seen`: the predictions that can
+    no longer be changed. `touched`: the time of the last save, as a Unix timestamp in seconds. The other fields
+    describe the exercise: judged tries, hints shown, whether it ever got full marks, and the most points.
     """
 
     tries: int = 0

@@ -28,7 +28,7 @@ from workbook.ros.session import spin_for
 Pair = tuple[str, str]
 POLL_S = 0.02
 NEWCOMER_S = 30.0
-"""How long (s) to wait for a new publisher's program. Even on a busy machine, it starts and gives up within this time.
+"""The longest wait (s) for a new publisher's program. Even on a busy machine, it starts and gives up within this time.
 """
 
 
@@ -93,10 +93,10 @@ def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
 
 
 def greet(programs: int, listener: str, **parameters: object) -> list[float]:
-    """Run new publishers one after another, and return how long (ms) each takes to discover its subscription.
+    """Run new publishers one after another and return the time (ms) that each takes to discover its subscription.
 
-    `programs`: how many to run (lesson_nodes.first_words). `listener`: the topic with the subscription. `parameters`:
-    the publishers' ROS parameters.
+    `programs`: the number of publishers (lesson_nodes.first_words). `listener`: the topic with the subscription.
+    `parameters`: the publishers' ROS parameters.
     """
     newcomer = _newcomer(listener, parameters)
     return [_greeted(newcomer, int(os.environ["ROS_DOMAIN_ID"])) for _ in range(programs)]
@@ -105,7 +105,7 @@ def greet(programs: int, listener: str, **parameters: object) -> list[float]:
 def greet_by_default(programs: int) -> list[float]:
     """Run new publishers as `greet` does, but with Fast DDS's default settings and on a separate domain.
 
-    A subscriber runs on that domain.
+    The subscriber, lesson_nodes.status_monitor, runs on that domain.
     """
     newcomer = _newcomer("/robot/status")
     with lease_domain() as aside:  # not this notebook's domain, because the notebook would respond quickly
@@ -129,7 +129,7 @@ def _lesson_node(name: str, **options: Any) -> ProgramSpec:
 
 
 def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Path] | None = None) -> float:
-    """Run one new publisher to its end, and return the time (ms) that it prints. Raise RuntimeError if it fails."""
+    """Run one new publisher until it exits, and return the time (ms) that it prints. Raise RuntimeError if it fails."""
     with NodeProcess(newcomer, domain_id, write_profile=profile) as process:
         process.wait(NEWCOMER_S)
         ended = process.record()
@@ -139,7 +139,7 @@ def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Pa
 
 
 def found_picture(here_ms: list[float], plain_ms: list[float], description: str) -> Still:
-    """Draw two histograms on a shared axis: how long new publishers took to find their subscription.
+    """Draw two histograms, on a shared axis, of the times that new publishers took to find their subscription.
 
     `here_ms`: the times with this workbook's settings. `plain_ms`: the times with Fast DDS's defaults.
     """

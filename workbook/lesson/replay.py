@@ -37,7 +37,7 @@ class ReportReplay:
         return [without_commands(one).replace("\n", " ") for one in said]
 
     def happened(self) -> list[str]:
-        """Summarize the recording as lines: the topics with their messages, then how the program ended."""
+        """Summarize the recording as lines: the topics with their messages, and then the end of the program."""
         if self.judgement is None or self.judgement.recording is None:
             return []
         recording = self.judgement.recording

@@ -1,6 +1,6 @@
 """Show the robot in a cell. JupyterLab draws and moves it.
 
-In other front ends, readers see a still instead. The front end's code is in workbook/lab/front_end/panel/cell.js.
+In other front ends, readers see a still image instead. The front end's code is in workbook/lab/front_end/panel/cell.js.
 """
 
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ from workbook.lesson.front_end import request, told
 
 ROBOT = "application/vnd.rclpy-workbook.robot+json"
 GLIDES = 4
-"""How many of rig.js's time constants a glide takes. After that, only a fiftieth of the movement is left."""
+"""The duration of a glide, in time constants of rig.js. After that, only a fiftieth of the movement is left."""
 
 
 @cache
@@ -33,7 +33,7 @@ def _bundle(kernel: str | None) -> dict[str, object]:
 
 
 def kernel_id() -> str | None:
-    """Return this kernel's ID in JupyterLab; None outside of a kernel."""
+    """Return this kernel's ID in JupyterLab, or None outside of a kernel."""
     kernel = getattr(get_ipython(), "kernel", None)
     parent = getattr(kernel, "parent", None)
     file = getattr(parent, "connection_file", "")
@@ -59,11 +59,11 @@ class RobotInCell:
 
     @classmethod
     def moves_here(cls) -> bool:
-        """Return whether a robot that follows the messages already moves below the running cell."""
+        """Return whether a `RobotInCell` is already shown below the running cell, where it follows the messages."""
         return draws_robots() and cls._newest == request().get("header")
 
     def rest(self) -> None:
-        """Put the robot to sleep, because its program has ended."""
+        """Put the robot to sleep, because its program has exited."""
         if self._display is not None:
             self._display.update(_bundle(None), raw=True)
 
@@ -85,7 +85,7 @@ class PosedRobot:
         self._put({"text/plain": self._text})
 
     def leave(self, picture: bytes | None) -> None:
-        """Keep the last pose on the page, with `picture` as a still for other front ends. If it's None, do nothing."""
+        """Keep the last pose on the page, with `picture` as a still for other front ends. Without one, do nothing."""
         if picture is not None:
             from workbook.pictures.stills import Still
 

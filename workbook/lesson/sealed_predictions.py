@@ -1,4 +1,4 @@
-"""Store the predictions' outcomes and explanations in `sealed/`, so that no reader sees them by accident.
+"""Store the predictions' outcomes and explanations in `sealed/`, so that readers don't see them by accident.
 
 `make notebooks` writes one file per lesson from the lesson's text. The files are encoded, not encrypted.
 """

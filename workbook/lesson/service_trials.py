@@ -13,12 +13,12 @@ HEART, ASKED, ANSWERED = "/robot/heartbeat", "/robot/asked", "/robot/answered"
 PERIODS = {HEART: 0.1, ASKED: 0.5, ANSWERED: 0.5}
 SECONDS = 2.2
 AT_ONCE = 3
-"""How many programs run at the same time."""
+"""The number of programs that run at the same time."""
 GOES_ON_TO = 1.2
-"""The heart counts as stopped if its last beat is at least this long (s) before the recording's end."""
+"""The heartbeat counts as stopped if its last message is at least this long (s) before the recording's end."""
 
 Case = tuple[str, str, int]
-"""How the node sends its request, its client's callback group, and its executor's number of threads."""
+"""The way that the node sends its request, its client's callback group, and its executor's number of threads."""
 
 
 def try_out(program: Program, case: Case, **parameters: object) -> Recording:
@@ -51,7 +51,7 @@ def answers(recording: Recording) -> str:
 
 
 def heart(recording: Recording) -> str:
-    """Return whether the heartbeat continues while a request waits: "beats", "limps", or "stops"."""
+    """Return "beats" if the heartbeat continues while a request waits, "limps" if most of it is missing, or "stops"."""
     beats, had = arrivals(recording, HEART), arrivals(recording, ANSWERED)
     if max(beats, default=0.0) < recording.watched_s - GOES_ON_TO:
         return "stops"

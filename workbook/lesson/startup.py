@@ -1,4 +1,4 @@
-"""Wait until a newly started program is in the graph and spinning, or has ended with an error."""
+"""Wait until a newly started program is in the graph and spinning, or has exited."""
 
 import time
 from collections import Counter
@@ -14,7 +14,7 @@ from workbook.ros.kernel_node import kernel_node
 from workbook.watching.quiescence import Quiescence
 
 NODES_WITHIN_S = 10.0
-"""How long (s) to wait for a node. After that, we assume that the program has none, even if one appears later."""
+"""The longest wait (s) for a node. After that, we assume that the program has none, even if one appears later."""
 SERVES_WITHIN_S = 30.0
 """The longest wait (s) for a program that keeps working. It's long, so that a busy machine shows the program's first
 error late rather than not at all.
@@ -22,7 +22,7 @@ error late rather than not at all.
 IDLE_S = 3.0
 """The longest wait (s) for an idle program. Its nodes may lack parameter services, or a callback may block them."""
 GONE_WITHIN_S = 1.0
-"""How long (s) to wait until an ended program's nodes leave the graph. A killed program's nodes stay much longer."""
+"""The longest wait (s) for a stopped program's nodes to leave the graph. A killed program's nodes stay much longer."""
 POLL_S = 0.02
 
 
@@ -30,8 +30,8 @@ def wait_until_it_serves(process: NodeProcess, node: str) -> None:
     """Wait until a node responds to a service request, which only a spinning node does.
 
     `node`: the node's fully qualified name. A node is in the graph as soon as its base class is initialized. Later
-    lines of the program may still fail, so seeing the node's name isn't enough. Return early if the program ends, or if
-    it has been idle for three seconds without a response. The longest wait is 30 seconds.
+    lines of the program may still fail, so seeing the node's name isn't enough. Return early if the program exits, or
+    if it has been idle for three seconds without a response. The longest wait is 30 seconds.
     """
     context = kernel_node().context
     client_node = Node(
@@ -69,8 +69,8 @@ def wait_until_it_serves(process: NodeProcess, node: str) -> None:
 def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
     """Wait until nodes that aren't in `known` appear in the graph, and return their names.
 
-    A second node with a known name counts, too. The list is empty if the program ends first, or after ten seconds.
-    Nodes that this notebook creates with `fresh` in the meantime are left out.
+    A second node with a known name counts, too. Nodes that this notebook creates with `fresh` during the wait don't
+    count. Return an empty list if the program exits first, or if no node appears within ten seconds.
     """
     own = own_names()
     deadline = time.monotonic() + NODES_WITHIN_S
@@ -85,10 +85,10 @@ def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
 
 
 def wait_until_gone(nodes: Counter[str]) -> None:
-    """Wait, at most one second, until each of an ended program's nodes has left the graph.
+    """Wait, at most one second, until each of a stopped program's nodes has left the graph.
 
-    `nodes`: how many nodes of each name the graph contained. A program announces over DDS that it's leaving, but the
-    announcement may arrive after the process has ended.
+    `nodes`: the number of nodes of each name that the graph contained. A program announces over DDS that it's leaving,
+    but the announcement may arrive after the process has exited.
     """
 
     def are_there() -> bool:

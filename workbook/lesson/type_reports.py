@@ -1,4 +1,4 @@
-"""Run mypy from a notebook, and show its findings on a program line by line."""
+"""Run mypy from a notebook and show its findings on a program line by line."""
 
 import threading
 from collections.abc import Iterator, Mapping, Set
@@ -54,7 +54,7 @@ class TypeReport:
 def check_types(
     program: str | Path | ModuleType, *, stubs: bool = True, strict: bool = True, notes: bool = False
 ) -> TypeReport:
-    """Check a program with mypy, and return its findings.
+    """Check a program with mypy and return its findings.
 
     `program`: the program's source text, the path of its file, a module, or the name of an exercise, whose answer is
     then checked. `stubs`: use the course's stubs for message packages (`workbook/typings`), rather than only the

@@ -37,7 +37,7 @@ class _View(Node):
 
 
 class RobotView(_View):
-    """Poses the robot by the messages on /robot/joint_positions, and lights its lamp by those on /robot/status."""
+    """Sets the robot's pose from /robot/joint_positions, and its lamp from /robot/status."""
 
     def __init__(self, ease: float) -> None:
         super().__init__("robot_view")
@@ -52,7 +52,7 @@ class RobotView(_View):
         self.robot.status(message.data)
 
     def frame(self) -> bytes | None:
-        """Return the current frame as PNG bytes; None if it hasn't changed."""
+        """Return the current frame as PNG bytes, or None if it hasn't changed."""
         return self.robot.frame()
 
 
@@ -81,7 +81,7 @@ class StatusView(_View):
         self.arrivals[dashboard.BATTERY_TOPIC].append(self._now())
 
     def frame(self) -> bytes:
-        """Draw the dashboard's current frame, and return PNG bytes."""
+        """Draw the dashboard's current frame and return PNG bytes."""
         return dashboard.draw(self.status, self.battery, self.arrivals, now=self._now(), window=self.window)
 
 
@@ -96,8 +96,8 @@ async def watched(
 ) -> None:
     """Run a view and call `refresh` for each frame. At the end, remove the view's node from the graph.
 
-    The view ends after `seconds`, when `until` is met, or on Stop. After Stop, print which programs still run, unless
-    the caller ends them (`ends_program`).
+    The view closes after `seconds`, when `until` is met, or on Stop. After Stop, print the names of the programs that
+    are still running, unless the caller stops them (`ends_program`).
     """
     fps = min(fps, float(os.environ.get(MOST_PICTURES, "inf")))
     try:
@@ -128,8 +128,8 @@ async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> 
 async def watch_robot(seconds: float | None = 10.0, fps: float = 20.0, ease: float = 0.8) -> None:
     """Show the robot live, in the pose from the messages on /robot/joint_positions.
 
-    `seconds`: how long; None: until Stop. `fps`: frames per second. `ease`: how long (s) the robot takes to glide to a
-    new pose; with 0, it jumps. Raise ValueError if `seconds` isn't positive and finite.
+    `seconds`: the duration, or None to continue until Stop. `fps`: frames per second. `ease`: the time (s) that the
+    robot takes to glide to a new pose; with 0, it jumps. Raise ValueError if `seconds` isn't positive and finite.
     """
     if seconds is not None and (not math.isfinite(seconds) or seconds <= 0):
         raise ValueError(f"seconds must be above zero, not {seconds}")
@@ -150,8 +150,8 @@ async def watch_robot(seconds: float | None = 10.0, fps: float = 20.0, ease: flo
 async def watch_status(seconds: float | None = 10.0, fps: float = 15.0, window: float = 10.0) -> StatusView:
     """Show a dashboard of /robot/status and /robot/battery live for `seconds` (None: until Stop).
 
-    `fps`: frames per second. `window`: how many seconds of arrivals to show. Return the view with the last `status` and
-    `battery`, and with the `arrivals` by topic (s since the view was opened).
+    `fps`: frames per second. `window`: the number of seconds for which arrivals are shown. Return the view with the
+    last `status` and `battery`, and with the `arrivals` by topic (s since the view was opened).
     """
     view = StatusView(window)
     await _show(view, dashboard.DESCRIPTION, seconds, fps)
