@@ -127,7 +127,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def run_check(tree: Tree, *, notes: bool) -> int:
     """Print all violations, then notes on leftover template lines and outdated mutant reports. Return the exit code.
 
-    Notes don't affect the exit code. Without `notes`, print only how many template lines are left.
+    Notes don't affect the exit code. Without `notes`, print only the number of template lines that are left.
     """
     found = check(tree)
     if found:

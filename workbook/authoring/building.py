@@ -1,4 +1,4 @@
-"""Build notebooks from their texts."""
+"""Build notebooks from their texts, which are in `notebooks/sources/` (lessons) and `solutions/` (exercises)."""
 
 import time
 from collections.abc import Callable, Iterable
@@ -70,7 +70,7 @@ def build(
 def select(tree: Tree, names: Iterable[str]) -> tuple[list[str], list[str]]:
     """Return the stems of the lessons and exercises that match the names, or of all of them if no names are given.
 
-    A name is a stem, a slug, a number, or a file. Raises AuthoringError if a name matches nothing.
+    A name is a stem, a slug, a number, or a file. Raises AuthoringError if a name doesn't match anything.
     """
     lessons, exercises = list(tree.lesson_stems()), list(tree.exercise_stems())
     wanted = [Path(name).stem for name in names]

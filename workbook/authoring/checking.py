@@ -28,7 +28,7 @@ from workbook.exercise.source import DEEPER
 
 
 def check(tree: Tree) -> list[Violation]:
-    """Return every violation in a course's lessons and exercises; an empty list if there are none."""
+    """Return all violations in a course's lessons and exercises."""
     found = list(misplaced(tree))
     for stem in tree.lesson_stems():
         found += check_lesson(tree, stem)

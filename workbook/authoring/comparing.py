@@ -36,8 +36,8 @@ def compare_run(tree: Tree, stem: str, ran: Path) -> int:
 def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequence[str] = ()) -> int:
     """Run the named notebooks, or all of them if none are named, and compare their outputs with the committed ones.
 
-    Pass the arguments in `extra` to pytest, and return pytest's exit code. Raises AuthoringError if a lesson hasn't
-    been built, or if an exercise can't be built.
+    Pass the arguments in `extra` to pytest and return pytest's exit code. Raises AuthoringError if a lesson hasn't been
+    built, or if an exercise can't be built.
     """
     lessons, exercises = building.select(tree, names)
     return compare_stems(tree, lessons, exercises, jobs=jobs, extra=extra)
@@ -51,7 +51,7 @@ def compare_stems(
     jobs: int = 1,
     extra: Sequence[str] = (),
 ) -> int:
-    """Run these lessons and exercises, and compare their outputs as `compare` does.
+    """Run these lessons and exercises and compare their outputs as `compare` does.
 
     Lessons run unchanged. Exercises run the way a student works: first with the starter and then, in the same kernel,
     with the solution. Raises AuthoringError if a lesson hasn't been built, or if an exercise can't be built.

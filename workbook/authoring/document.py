@@ -38,7 +38,7 @@ class Cell:
     id: str = ""
     tags: tuple[str, ...] = ()
     line: int = field(default=0, compare=False)
-    """The cell's first line in the text, counted from 1; 0 if the cell doesn't come from a text."""
+    """The cell's first line in the text, counted from 1, or 0 if the cell doesn't come from a text."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Document:
 
 
 def heading_of(cell: Cell) -> str | None:
-    """Return the text of the `## ` heading at the beginning of a Markdown cell; None if there is none."""
+    """Return the text of the `## ` heading at the beginning of a Markdown cell, or None if there is none."""
     if cell.kind != "markdown":
         return None
     found = _HEADING.fullmatch(cell.source.split("\n", 1)[0])

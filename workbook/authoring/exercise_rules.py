@@ -12,7 +12,8 @@ from workbook.feedback.wording import points
 
 ALL_POINTS = 10.0
 FEWEST_CRITERIA = 4
-"""Minimum number of criteria that earn points. With several, students see how far they've come and what is missing."""
+"""Minimum number of criteria that earn points. With several, students see their progress, and which parts are missing.
+"""
 FEWEST_RIGHT = 3
 FEWEST_WRONG = 5
 _TABLE_ROW = r"\| *(\d+(?:\.\d+)?) *\|"

@@ -1,7 +1,7 @@
-"""Start a kernel over Unix sockets, so that only its starter can connect.
+"""Start a kernel over Unix sockets, so that only the process that starts it can connect.
 
 Over TCP, Jupyter chooses five free ports, which the kernel opens a second later. On a busy machine, another process
-sometimes takes one of them first, and the kernel dies with "Address already in use".
+sometimes takes one of them first, so the kernel exits with "Address already in use".
 """
 
 import shutil

@@ -31,7 +31,7 @@ class Neighbor:
 
 
 def title_of(tree: Tree, stem: str) -> str:
-    """Return a lesson's title, such as "05 · Timers"; the stem if the text has no title."""
+    """Return a lesson's title, such as "05 · Timers", or the stem if the text has no title."""
     for line in (tree.sources / f"{stem}.py").read_text(encoding="utf-8").splitlines():
         if line.startswith("# # "):
             return line[4:].strip()

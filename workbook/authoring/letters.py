@@ -11,7 +11,7 @@ from workbook.authoring.violations import Violation
 LARGEST_SHARE_IN_COURSE = 0.4
 LARGEST_SHARE_IN_LESSON = 0.6
 FEWEST_IN_COURSE, FEWEST_IN_LESSON = 20, 4
-"""With fewer letters than these, shares aren't meaningful, so they aren't checked."""
+"""With fewer letters than these, fractions aren't meaningful, so they aren't checked."""
 _RIGHT = re.compile(r"<summary>(?P<letter>[a-z])\) [^\n]*</summary>\s*✓")
 
 

@@ -83,7 +83,10 @@ def museum_violations(tree: Tree, museum: Museum) -> Iterator[tuple[str, str]]:
 
 
 def _outputs(path: Path) -> dict[str, str]:
-    """Return the text output of each code cell in a built lesson, keyed by cell ID; empty if there is no notebook."""
+    """Return the text output of each code cell in a built lesson, keyed by cell ID.
+
+    The dictionary is empty if there is no notebook.
+    """
     if not path.is_file():
         return {}
     found = {}

@@ -7,9 +7,9 @@ varying (`≈ 23 ms`) count as equal, but a cell fails if one of them is outside
 The plugin also sets the sanitize file, unless another one is given. In notebooks whose metadata says
 `workbook.compare: text`, it compares only text. A cell fails if it uses a magic that doesn't exist. Kernels communicate
 over Unix sockets and run in an empty folder, so that they leave nothing in the checkout. Each notebook gets its own
-answers folder unless WORKBOOK_ANSWERS is set. Moving figures are drawn only twice a second, because no person watches.
-If WORKBOOK_RAN names a notebook that was run elsewhere, the plugin compares that notebook's outputs and starts no
-kernel.
+answers folder unless WORKBOOK_ANSWERS is set. Moving figures are drawn only twice a second, because a comparison has no
+viewers. If WORKBOOK_RAN names a notebook that was run elsewhere, the plugin compares that notebook's outputs and
+doesn't start a kernel.
 """
 
 import gc
@@ -81,7 +81,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 def pytest_collectstart(collector: pytest.Collector) -> None:
     """Compare only text in notebooks whose metadata says `workbook.compare: text`. Never compare the live robot."""
     if isinstance(collector, IPyNbFile):
-        collector.skip_compare += (ROBOT,)  # this output contains its kernel's id
+        collector.skip_compare += (ROBOT,)  # this output contains its kernel's ID
         try:
             metadata = json.loads(collector.path.read_text(encoding="utf-8"))["metadata"]
         except (ValueError, KeyError, TypeError):
@@ -92,7 +92,7 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
-    """Run a cell, and apply its display updates to the outputs that nbval compares.
+    """Run a cell and apply its display updates to the outputs that nbval compares.
 
     Raises:
         NbCellError: the cell uses a magic that doesn't exist, or shows a number outside its range.

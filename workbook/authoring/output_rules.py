@@ -1,4 +1,4 @@
-"""Rules for a lesson's outputs, and for how many of them nbval may ignore."""
+"""Rules for a lesson's outputs, and for the number of outputs that nbval may ignore."""
 
 import re
 from collections.abc import Iterator

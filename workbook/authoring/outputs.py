@@ -29,7 +29,7 @@ _SPACES = re.compile(r" {2,}")
 
 
 def sanitized(text: str) -> str:
-    """Replace memory addresses, timestamps, and machine paths in a text. Leave images inside HTML unchanged."""
+    """Replace memory addresses, timestamps, and machine paths in a string. Leave images inside HTML unchanged."""
     pieces = PICTURE.split(text)
     for place in range(0, len(pieces), 2):
         for pattern, replacement in patterns():

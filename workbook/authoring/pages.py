@@ -53,7 +53,7 @@ def with_part(page: str, part: str, text: str, name: str) -> str:
 
 
 def write_pages(tree: Tree) -> list[Path]:
-    """Update the pages, and return those that changed. Raises the same exceptions as `pages`."""
+    """Update the pages and return those that changed. Raises the same exceptions as `pages`."""
     changed = []
     for path, text in pages(tree).items():
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
@@ -64,7 +64,7 @@ def write_pages(tree: Tree) -> list[Path]:
 
 
 def check_pages(tree: Tree) -> Iterator[Violation]:
-    """Yield a violation for each error in the museum, and for each page that is missing or out of date."""
+    """Yield a violation for each faulty museum entry, and for each page that is missing or out of date."""
     try:
         museum = load_museum(tree.root)
         for name, words in museum_violations(tree, museum):
@@ -87,7 +87,7 @@ def check_pages(tree: Tree) -> Iterator[Violation]:
 
 
 def _named_line(path: Path, words: str) -> int:
-    """Return the first line of the file that contains the first quoted text in `words`; 0 if there is none."""
+    """Return the number of the file's first line that contains the first quotation in `words`, or 0 if no line does."""
     quoted = re.search(r"'(.+?)'", words)
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         if quoted and quoted[1] in line:

@@ -1,4 +1,4 @@
-"""Find misplaced files, and files that belong to no lesson or exercise."""
+"""Find misplaced files, and files that don't belong to any lesson or exercise."""
 
 from collections.abc import Iterator
 from itertools import pairwise

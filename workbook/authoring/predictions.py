@@ -1,4 +1,4 @@
-"""Split the predictions in a lesson's text into the part that the notebook shows, and the rest, which is sealed.
+"""Split a lesson's predictions into the part that the notebook shows, and the rest, which is sealed (encoded).
 
 A Markdown cell with `prediction="late-joiner"` contains the question and its options. The explanation below an option
 begins with ✓ (the usual outcome) or ✗. If the outcome depends on the run, a condition follows: ``when `late > 0` ``.
@@ -179,7 +179,7 @@ def foreign_sealed(tree: Tree) -> Iterator[Violation]:
         try:
             predictions = unseal(path.read_text(encoding="utf-8"))
         except ValueError:
-            continue  # reported with the lesson
+            continue  # reported along with the lesson
         for name in (one.name for one in predictions):
             if name in taken:
                 yield Violation(tree.name(path), f"the prediction {name!r} is also one of {taken[name]}")

@@ -16,7 +16,7 @@ RAN = "WORKBOOK_RAN"
 
 
 class Replay:
-    """Replaces `nbval.kernel.RunningKernel`. `ran` is the path of the notebook with its outputs."""
+    """Stands in for `nbval.kernel.RunningKernel`. `ran` is the path of the notebook that was run elsewhere."""
 
     def __init__(self, ran: Path) -> None:
         cells = nbformat.read(ran, nbformat.NO_CONVERT).cells
@@ -26,9 +26,9 @@ class Replay:
         self._alive = True
 
     def execute_cell_input(self, source: str, allow_stdin: bool | None = None) -> str:
-        """Queue the messages of the next cell's outputs, and return the request's id.
+        """Queue the messages of the next cell's outputs and return the request's id.
 
-        Raises RuntimeError if that cell has a different source, or wasn't run.
+        Raises RuntimeError if that cell has a different source, or if it wasn't run.
         """
         cell = next(self._cells, None)
         if cell is None or cell.source != source:

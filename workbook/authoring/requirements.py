@@ -1,6 +1,6 @@
 """Requirements tables, which link each requirement of a task to the criteria that judge it.
 
-They also link the requirement to the wrong answers that violate it. The tables are stored in
+The tables also link each requirement to the wrong answers that violate it. They are stored in
 `tests/requirements/NN_slug.toml`. A requirement has an `id` and a `sentence` (or several), quoted from the task. It
 also has either `criteria` and `wrong` answers, or `not_judged` with the reason.
 """
@@ -53,7 +53,7 @@ class Requirement:
 
 @dataclass(frozen=True)
 class TableFile:
-    """The lines of a table, in which line numbers for messages are found. `name` is the path that messages show."""
+    """A table's lines, for finding the line numbers in messages. `name` is the path that messages show."""
 
     name: str
     lines: tuple[str, ...]
@@ -231,7 +231,10 @@ def _requirement(number: int, raw: Mapping[str, Any]) -> Requirement:
 
 
 def _texts(value: object) -> tuple[str, ...]:
-    """Return a list of strings as a tuple; empty if the value is anything else or one of the strings is blank."""
+    """Return a list of strings as a tuple.
+
+    If the value is anything else, or if one of the strings is blank, return an empty tuple.
+    """
     if isinstance(value, list) and all(isinstance(one, str) and one.strip() for one in value):
         return tuple(value)
     return ()
@@ -319,7 +322,7 @@ def _is_elsewhere(lost: frozenset[str], one: Requirement, criteria: Iterable[str
 
 
 def _lost(path: Path) -> frozenset[str]:
-    """Return the criteria that a wrong answer's header says it must lose; empty if the header is invalid."""
+    """Return the criteria that a wrong answer's header says it must lose, or an empty set for an invalid header."""
     try:
         return read_header(path).loses
     except WrongAnswerError:

@@ -20,7 +20,7 @@ _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 
 
 def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
-    """Run all cells of a lesson, and store the normalized outputs in `notebook`.
+    """Run all cells of a lesson and store the normalized outputs in `notebook`.
 
     Raises:
         AuthoringError: a cell failed, took longer than 60 s, killed its kernel, or printed a machine path.

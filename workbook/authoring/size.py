@@ -84,7 +84,7 @@ def with_minutes(text: str, minutes: int) -> str:
 
 
 def minutes_in(text: str) -> int | None:
-    """Return the number in a lesson's *Minutes* line; None if there is no such line."""
+    """Return the number in a lesson's *Minutes* line, or None if there is no such line."""
     found = _MINUTES.search(text)
     return int(found["number"]) if found else None
 
@@ -94,7 +94,7 @@ def _prose(cell: Cell) -> str:
 
 
 def write_sizes(tree: Tree) -> list[str]:
-    """Correct the *Minutes* line of all lessons, and lower the stored limits of lessons that are too large.
+    """Correct the *Minutes* line of all lessons and lower the stored limits of lessons that are too large.
 
     Return the stems of the lessons whose text changed.
     """

@@ -20,7 +20,7 @@ _SLUG = re.compile(r"[a-z][a-z0-9_]*")
 
 
 def new_lesson(tree: Tree, name: str) -> list[Path]:
-    """Write a new lesson's text, and return its path. `name` is a slug, or a stem (NN_slug).
+    """Write a new lesson's text and return its path. `name` is a slug, or a stem (NN_slug).
 
     Raises:
         AuthoringError: the name isn't a valid slug, or the number or name is taken.

@@ -1,4 +1,4 @@
-"""Extract a task's text, and find the sentence that a quotation most likely comes from."""
+"""Extract a task's text and find the sentence that a quotation most likely comes from."""
 
 import re
 from collections.abc import Iterator
@@ -7,7 +7,7 @@ from difflib import SequenceMatcher
 from workbook.exercise.source import ExerciseSource
 
 CLOSE = 0.6
-"""A similar sentence must contain at least this share of a quotation's words, in the same order."""
+"""A similar sentence must contain at least this fraction of a quotation's words, in the same order."""
 _OWN_BLOCK = re.compile(r"\s*(\||[-*] |\d+\. |#+ |$)")
 
 
@@ -39,14 +39,14 @@ def missing_words(quote: str, task: str) -> str:
 
 
 def nearest_sentence(quote: str, task: str) -> str | None:
-    """Return the task's sentence or table row that is most similar to a quotation; None if none is close."""
+    """Return the task's sentence or table row that is most similar to a quotation, or None if all differ too much."""
     ranked = [(_likeness(quote.split(), one.split()), one) for one in sentences(task)]
     best, sentence = max(ranked, default=(0.0, ""), key=lambda pair: pair[0])
     return sentence if best else None
 
 
 def _likeness(wanted: list[str], words: list[str]) -> float:
-    """Return how similar the best part of `words` is to `wanted`, from 0 (not close) to 1 (equal)."""
+    """Return the similarity between `wanted` and the best part of `words`, from 0 (not close) to 1 (equal)."""
     blocks = SequenceMatcher(None, wanted, words, autojunk=False).get_matching_blocks()[:-1]
     shared = sum(block.size for block in blocks)
     if not shared or shared < CLOSE * len(wanted):

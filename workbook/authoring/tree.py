@@ -11,7 +11,7 @@ IGNORED_NAMES = ("__pycache__",)
 
 
 class AuthoringError(RuntimeError):
-    """A lesson, an exercise, or a page can't be built or checked. The message says what to fix, and where."""
+    """Raised when a lesson, exercise, or page can't be built or checked. The message says what to fix, and where."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Tree:
 
     @property
     def sealed(self) -> Path:
-        """The folder of the sealed predictions, one encoded file per lesson that has predictions."""
+        """The folder with the sealed (encoded) predictions, one file for each lesson that has predictions."""
         return self.root / "workbook" / "lesson" / "sealed"
 
     @property
@@ -82,7 +82,7 @@ class Tree:
 
     @property
     def mutants(self) -> Path:
-        """The folder of the reports on mutants, one TOML file per exercise; see `workbook.authoring.mutants`."""
+        """The folder with the mutant reports, one TOML file per exercise; see `workbook.authoring.mutants`."""
         return self.root / "tests" / "mutants"
 
     @property
@@ -104,7 +104,7 @@ class Tree:
         return tuple(stem for stem in self.lesson_stems() if not stem.endswith(DEEPER))
 
     def deeper_stem(self, stem: str) -> str | None:
-        """Return the stem of a lesson's optional deeper notebook; None if there is none."""
+        """Return the stem of a lesson's optional deeper notebook, or None if there is none."""
         deeper = f"{stem}{DEEPER}"
         return deeper if deeper in self.lesson_stems() else None
 

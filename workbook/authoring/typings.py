@@ -144,7 +144,7 @@ def stubs() -> Iterator[tuple[str, str]]:
 
 
 def write(folder: Path = TYPINGS) -> int:
-    """Write all stubs, and return their number."""
+    """Write all stubs and return their number."""
     count = 0
     for name, text in stubs():
         path = folder / name

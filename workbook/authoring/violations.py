@@ -27,7 +27,7 @@ def report(found: Iterable[Violation]) -> str:
 
 
 def line_of(text: str, pattern: str) -> int:
-    """Return the number of the first line that matches the pattern; 1 if none does."""
+    """Return the number of the first line that matches the pattern, or 1 if none does."""
     for number, line in enumerate(text.splitlines(), start=1):
         if re.search(pattern, line):
             return number

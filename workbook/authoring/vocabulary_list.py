@@ -52,7 +52,7 @@ def first_line(module: ModuleType, name: str) -> str:
 
 
 def _said_of_constant(module: ModuleType, name: str) -> str:
-    """Return a constant's docstring from the module that defines it; "" if there is none."""
+    """Return a constant's docstring from the module that defines it, or "" if there is none."""
     for node in ast.walk(ast.parse(Path(str(module.__file__)).read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module and name in [alias.name for alias in node.names]:
             origin = importlib.import_module(node.module)

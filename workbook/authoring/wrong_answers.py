@@ -44,7 +44,7 @@ _CHANGE = re.compile(r"# (?P<verb>replaces|after|before):(?: (?P<text>.*))?")
 
 
 class WrongAnswerError(AuthoringError):
-    """A wrong answer can't be read. The message begins with ``file:line``."""
+    """Raised when a wrong answer can't be read. The message begins with ``file:line``."""
 
     def __init__(self, path: Path, line: int, problem: str) -> None:
         super().__init__(f"{path}:{line}: {problem}")
@@ -55,7 +55,7 @@ class Header:
     """A wrong answer's header: a description of the mistake, and the criteria that it must lose."""
 
     about: str
-    """A description of the mistake; empty if the program's docstring describes it."""
+    """A description of the mistake, or an empty string if the program's docstring describes it."""
     loses: frozenset[str]
     also: frozenset[str]
     """Criteria that may be lost as well, depending on how busy the machine is."""
@@ -66,7 +66,7 @@ class Header:
     soak: bool
     compiles: bool
     on: str | None
-    """The program that is changed; None if the field is missing."""
+    """The program that is changed, or None if the field is missing."""
 
 
 @dataclass(frozen=True)
@@ -287,7 +287,7 @@ def _moved(line: str, shift: int) -> str:
 
 
 def _compile_problem(text: str) -> str:
-    """Return the reason why Python can't compile a program; "" if it can."""
+    """Return the reason why Python can't compile a program, or "" if Python can compile it."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

@@ -33,7 +33,7 @@ ENDS = (
     "destroy_subscription",
 )
 RUNS = ("rclpy.ok()", "ok()")
-"""Conditions of loops that end when the program is shut down."""
+"""Conditions of loops that run until the program is shut down."""
 TAKES_SECONDS = ("create_timer", "sleep", "create_rate", "Duration")
 POLLS = ("spin_once", "spin_until_future_complete")
 COMPUTES = (cst.Comparison, cst.ComparisonTarget, cst.BinaryOperation, cst.UnaryOperation)

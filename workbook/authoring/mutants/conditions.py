@@ -62,7 +62,7 @@ def conditions(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def negated(test: cst.BaseExpression) -> cst.BaseExpression:
-    """Return `not (test)`; if the test already begins with `not`, return its operand."""
+    """Return `not (test)`, or the test's operand if the test already begins with `not`."""
     if isinstance(test, cst.UnaryOperation) and isinstance(test.operator, cst.Not):
         return test.expression
     return cst.UnaryOperation(cst.Not(), test.with_changes(lpar=[cst.LeftParen()], rpar=[cst.RightParen()]))
@@ -80,7 +80,7 @@ def connectives(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def arithmetic(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Yield edits that replace an arithmetic operator, also in assignments such as `+=`, or turn `+=` into `=`."""
+    """Yield edits that replace an arithmetic operator, including the one in `+=`, or that turn `+=` into `=`."""
     if isinstance(node, cst.BinaryOperation) and type(node.operator) in SWAPPED:
         if not is_text(node.left) and not is_text(node.right):
             yield Edit("arithmetic", node, node.with_changes(operator=SWAPPED[type(node.operator)]))

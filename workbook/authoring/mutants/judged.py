@@ -43,7 +43,7 @@ class Cache:
         self._known: dict[str, Marks] = dict(_stored(path))
 
     def get(self, answer: Answer) -> Marks | None:
-        """Return a program's stored outcome; None if there is none."""
+        """Return a program's stored outcome, or None if there is none."""
         return self._known.get(self._key(answer))
 
     def put(self, answer: Answer, outcome: Marks) -> None:
@@ -59,7 +59,7 @@ class Cache:
 
 
 def _stored(path: Path) -> Iterator[tuple[str, Marks]]:
-    """Yield the keys and outcomes in a file. Skip incomplete lines. A missing file has no outcomes."""
+    """Yield the keys and outcomes in a file. Skip incomplete lines. If there is no file, yield nothing."""
     if not path.is_file():
         return
     for line in path.read_text(encoding="utf-8").splitlines():

@@ -1,4 +1,4 @@
-"""Generate a program's mutants: apply every operator at every place, and keep each distinct program once."""
+"""Generate a program's mutants: apply every operator at every place and keep each distinct program once."""
 
 import ast
 import hashlib
@@ -37,7 +37,7 @@ OPERATORS: tuple[Operator, ...] = (
     state.kept_results,
 )
 TYPED = (*OPERATORS, state.missing_hints)
-"""The operators for exercises that a type checker judges, which also change type hints."""
+"""The operators for exercises that are judged with a type checker. They also change type hints."""
 ID_LENGTH = 10
 
 
@@ -104,7 +104,7 @@ def _edits(view: View, operators: tuple[Operator, ...]) -> Iterator[Edit]:
 
 
 def _meaning(program: str) -> str | None:
-    """Return a form of the program that ignores comments and layout; None if Python can't compile the program."""
+    """Return a form of the program without comments and layout, or None if Python can't compile the program."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

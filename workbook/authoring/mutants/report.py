@@ -27,7 +27,8 @@ HEAD = """\
 class Free:
     """A place where the task leaves the choice to the student. Mutants that survive there are accepted, for `reason`.
 
-    `scope`, `code`, and `base` are patterns for a mutant's scope, original lines, and base. Empty `operators` mean all.
+    `scope`, `code`, and `base` are patterns for a mutant's scope, original lines, and base. If `operators` is empty, it
+    matches all operators.
     """
 
     reason: str
@@ -50,7 +51,8 @@ class Free:
 class Survivor:
     """A mutant that got full marks.
 
-    `reason` says why the mutant is accepted, or which hole in the judge it reveals; empty until an author fills it in.
+    `reason` says why the mutant is accepted, or which hole in the judge it reveals. It's empty until an author fills it
+    in.
     """
 
     id: str
@@ -90,7 +92,7 @@ class Report:
     survivors: tuple[Survivor, ...] = ()
 
     def excuse(self, mutant: Mutant) -> str | None:
-        """Return why a mutant is accepted: its class, or a free place's reason. Return None if neither applies."""
+        """Return the reason why a mutant is accepted, which is its class or a free place's reason, or None."""
         for name in mutant.classes:
             if name not in self.judged_here:
                 return name

@@ -1,4 +1,4 @@
-"""Generate and judge the mutants of exercises, and write the reports. `make mutants` runs this."""
+"""Generate and judge the mutants of exercises and write the reports. `make mutants` runs this."""
 
 import hashlib
 import os
@@ -23,7 +23,7 @@ Say = Callable[[str], None]
 WAITING = 3
 """Slots per processor for exercises on the wall clock, because their programs spend most of their time waiting."""
 CHANCES = 3
-"""How many times a right answer is judged before we report that it doesn't get full marks."""
+"""The number of times that a right answer is judged before we report that it doesn't get full marks."""
 
 
 def on_slots(slots: int | None = None) -> JudgeAll:
@@ -47,7 +47,7 @@ def on_slots(slots: int | None = None) -> JudgeAll:
 def report_mutants(
     tree: Tree, stems: Iterable[str], judge: JudgeAll, *, most: int = MOST, say: Say = print
 ) -> list[Report]:
-    """Judge at most `most` mutants of each of these exercises. Write the reports, and return them.
+    """Judge at most `most` mutants of each of these exercises. Write the reports and return them.
 
     Raises:
         AuthoringError: a right answer doesn't get full marks, or a report can't be read.
@@ -61,7 +61,7 @@ def report_mutants(
 
 
 def report_one(tree: Tree, stem: str, judge: JudgeAll, *, most: int, say: Say = print) -> Report:
-    """Judge at most `most` mutants of one exercise. Write its report, and return it.
+    """Judge at most `most` mutants of one exercise. Write its report and return it.
 
     Raises:
         AuthoringError: see `report_mutants`.

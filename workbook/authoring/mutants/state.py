@@ -21,8 +21,9 @@ ENTRY = ("main", "__init__", "__post_init__")
 def forgetful_calls(node: cst.CSTNode, view: View) -> Iterator[Edit]:
     """Yield edits that make a function without a result do nothing in some of its calls.
 
-    It works only in the first call, in all calls but the first, in every second call, or in the first five. If it has a
-    parameter, further edits skip a call whose first argument equals the previous call's or any earlier call's.
+    The edited function works only in the first call, in all calls but the first, in every second call, or in the first
+    five. If it has a parameter, further edits skip a call whose first argument equals the previous call's or any
+    earlier call's.
     """
     if not isinstance(node, cst.FunctionDef) or not _may_be_skipped(node):
         return
@@ -116,7 +117,7 @@ def kept_results(node: cst.CSTNode, view: View) -> Iterator[Edit]:
 
 
 def missing_hints(node: cst.CSTNode, view: View) -> Iterator[Edit]:
-    """Yield edits that drop a type hint or replace it with `object`, for exercises that a type checker judges."""
+    """Yield edits that drop a type hint or replace it with `object`, for exercises judged with a type checker."""
     if isinstance(node, cst.Param) and node.annotation is not None:
         yield Edit("hint", node, node.with_changes(annotation=None))
         yield Edit("hint", node.annotation.annotation, cst.Name("object"))

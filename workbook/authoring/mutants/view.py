@@ -44,7 +44,7 @@ class View:
             yield from self._below(child)
 
     def parent(self, node: cst.CSTNode) -> cst.CSTNode | None:
-        """Return the parent node; None for the module."""
+        """Return the parent node, or None for the module."""
         return self._parents.get(node)
 
     def ancestors(self, node: cst.CSTNode) -> Iterator[cst.CSTNode]:
@@ -55,7 +55,7 @@ class View:
             one = self.parent(one)
 
     def function(self, node: cst.CSTNode) -> cst.FunctionDef | None:
-        """Return the innermost function that contains the node or is the node; None if there is none."""
+        """Return the innermost function that contains the node or is the node, or None if there is none."""
         return next((one for one in self.ancestors(node) if isinstance(one, cst.FunctionDef)), None)
 
     def scope(self, node: cst.CSTNode) -> str:
@@ -97,19 +97,19 @@ def is_bare_text(node: cst.CSTNode) -> bool:
 
 
 def called_name(call: cst.Call) -> str:
-    """Return the last part of the called name, such as "spin" for `rclpy.spin(node)`; "" if it isn't a name."""
+    """Return the last part of the called name, such as "spin" for `rclpy.spin(node)`, or "" if there is no name."""
     return last_name(call.func)
 
 
 def last_name(node: cst.CSTNode) -> str:
-    """Return the last part of a dotted name; "" for anything else."""
+    """Return the last part of a dotted name, or "" for anything else."""
     if isinstance(node, cst.Attribute):
         return node.attr.value
     return node.value if isinstance(node, cst.Name) else ""
 
 
 def statements_of(function: cst.FunctionDef) -> list[cst.BaseStatement]:
-    """Return a function's statements without its docstring; an empty list if the function is written on one line."""
+    """Return a function's statements without its docstring, or an empty list if the function is written on one line."""
     if not isinstance(function.body, cst.IndentedBlock):
         return []
     return [one for one in function.body.body if not is_bare_text(one)]

@@ -1,4 +1,4 @@
-"""Build the course's website, which needs no kernel. `make site` writes it to `build/site`.
+"""Build the course's website, which works without a kernel. `make site` writes it to `build/site`.
 
 `sources.py` writes the sources, and Sphinx and MyST-NB render them. Other packages import only `build_site`.
 """

@@ -13,10 +13,10 @@ NOT_NEEDED = (".buildinfo", "objects.inv", "_sources")
 
 
 def build_site(tree: Tree, folder: Path) -> int:
-    """Write the site to `folder`, replacing an earlier one. Return the number of pages.
+    """Write the site to `folder`, replacing any existing site there. Return the number of pages.
 
-    This needs no network and runs none of the course's programs. Raises AuthoringError if Sphinx isn't installed, or if
-    it reports errors or warnings.
+    This function doesn't need a network, and doesn't run any of the course's programs. Raises AuthoringError if Sphinx
+    isn't installed, or if it reports errors or warnings.
     """
     if find_spec("myst_nb") is None:
         raise AuthoringError("the site needs Sphinx and MyST-NB: run `make env EXTRAS=site`")

@@ -1,7 +1,7 @@
 """Generate the site's error museum: one page for each error and each symptom, and two lists of these pages.
 
 The exhibits come from `notebooks/sources/museum`. For each error, `errors.toml` adds the smallest program that raises
-the error, and other texts of the same error. Tests run these programs.
+the error, and other wordings of the same error. Tests run these programs.
 """
 
 import json
@@ -30,7 +30,7 @@ _OF_ROS = (
     "cv2.error",
     "BrokenProcessPool",
 )
-"""Beginnings of printed texts that aren't Python exceptions."""
+"""Beginnings of printed messages that aren't Python exceptions."""
 _INDEX = """\
 # The error museum
 
@@ -44,9 +44,9 @@ Nothing is printed, but the robot doesn't do what you expect."""
 
 @dataclass(frozen=True)
 class Extra:
-    """An entry of `errors.toml` for one error: a program, the output that it `shows`, and other texts (`also`).
+    """An entry of `errors.toml` for one error: a program, the output that it `shows`, and other wordings (`also`).
 
-    A symptom that prints nothing has no program.
+    A symptom without an error message doesn't have a program.
     """
 
     symptom: str
@@ -81,7 +81,7 @@ class ErrorPage:
 
 @dataclass(frozen=True)
 class ErrorPages:
-    """All pages of the museum."""
+    """All pages of the error museum."""
 
     tree: Tree
 
@@ -141,7 +141,7 @@ class ErrorPages:
         return "\n\n".join([*parts, "[All errors](index.md) · [All symptoms](symptoms.md)", ""])
 
     def _cell(self, exhibit: Exhibit) -> tuple[str, str]:
-        """Return the source and printed output of the cell that shows an exhibit; "" for both if it's missing."""
+        """Return the source and printed output of an exhibit's cell, or "" for both if the lesson has no such cell."""
         notebook = json.loads((self.tree.notebooks / f"{exhibit.lesson}.ipynb").read_text(encoding="utf-8"))
         for cell in notebook["cells"]:
             if cell["id"] == exhibit.cell:

@@ -71,7 +71,7 @@ KINDS: tuple[tuple[str, Change], ...] = (
 
 
 def generated_class(exercise: Exercise, out: Path) -> Iterator[Result]:
-    """Yield forty results, and store their recordings under `out`.
+    """Yield forty results and store their recordings under `out`.
 
     Three answers weren't graded; two were judged twice.
     """

@@ -167,7 +167,7 @@ class Guides:
 
 
 def _likely_causes(catalogs: Iterable[Path]) -> dict[str, str]:
-    """Return the *Likely cause* text of each entry in some feedback catalogs. `…` replaces placeholders."""
+    """Return the *Likely cause* text of each entry in the given feedback catalogs, with `…` for each placeholder."""
     return {
         cause: re.sub(r"\{[^}]*\}", "…", entry["because"])
         for path in catalogs
@@ -191,6 +191,6 @@ def _table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def _cell(text: str) -> str:
-    """Return a text on one line, for a table cell. If the text is itself a table row, dots separate its cells."""
+    """Return a string on one line, for a table cell. If the string is itself a table row, dots separate its cells."""
     words = " · ".join(part.strip() for part in text.strip().strip("|").split("|"))
     return " ".join(words.split()).replace("<", "&lt;")

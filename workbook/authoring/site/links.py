@@ -1,4 +1,7 @@
-"""Convert links between repository files to links between pages. Most pages have the same path in both."""
+"""Turn links between repository files into links between pages of the site.
+
+Most pages have the same path in the repository and on the site.
+"""
 
 import posixpath
 import re
@@ -22,7 +25,7 @@ class Links:
     moved: dict[str, str]
 
     def in_page(self, text: str) -> str:
-        """Rewrite a Markdown text's links to lead to the site's pages. Links to files not on the site become text."""
+        """Rewrite a Markdown text's links to lead to the site's pages. Links to other files become plain text."""
         parts = _CODE.split(text)
         return "".join(part if at % 2 else _LINK.sub(self._link, part) for at, part in enumerate(parts))
 

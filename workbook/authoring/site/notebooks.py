@@ -1,6 +1,6 @@
 """Convert notebooks to pages: images become files, predictions become clickable, and recorded robots move.
 
-The pages run no code. They show the outputs that are committed with the notebook.
+The pages don't run code, but show the outputs that are committed with the notebook.
 """
 
 import base64
@@ -51,7 +51,7 @@ class Pictures:
     sizes: dict[str, int] = field(default_factory=dict)
 
     def put(self, content: bytes, suffix: str) -> str:
-        """Write an image, and return its URL."""
+        """Write an image and return its URL."""
         name = f"{hashlib.sha256(content).hexdigest()[:16]}.{suffix}"
         if name not in self.sizes:
             self.folder.mkdir(parents=True, exist_ok=True)
@@ -170,7 +170,7 @@ def robot_figure(robot: SiteRobot, root: str = ROOT) -> str:
 
 
 def _last_frame(content: bytes) -> bytes:
-    """Return the last frame of an animated image as PNG; empty for a still image."""
+    """Return the last frame of an animated image as PNG bytes, or empty bytes for a still image."""
     with Image.open(io.BytesIO(content)) as image:
         frames = getattr(image, "n_frames", 1)
         if frames == 1:

@@ -1,4 +1,4 @@
-"""Record the lessons' programs for the site: each message's effect on the robot, and when it occurs.
+"""Record the lessons' programs for the site: each message's effect on the robot, and the time of that effect.
 
 `robots.toml` lists the robots. `record_all` runs their programs once and stores the effects as JSON in `recordings/`.
 Building the site only reads these files.
@@ -28,8 +28,8 @@ class SiteRobot:
     """A robot on a page: the cell that it follows, and the program whose recording moves it.
 
     `program` is the name of a lesson's program, or another program's path. `topics` maps each recorded topic to its
-    period in seconds. `ease` is how many seconds the robot takes to reach a pose. `slider` is the parameter that has
-    one recording for each of `values`; it's empty if there is no slider.
+    period in seconds. `ease` is the time (s) that the robot takes to reach a pose. `slider` is the parameter that has
+    one recording for each of `values`, or an empty string if there is no slider.
     """
 
     lesson: str
@@ -45,9 +45,9 @@ class SiteRobot:
     value: float = 0.0
     clock: Clock = "simulated"
     companion: str = ""
-    """The module of a second node in the same process, in `lesson_nodes/` or `companions/`; empty if there is none."""
+    """The module of a second node in the same process, in `lesson_nodes/` or `companions/`, or an empty string."""
     plays: str = ""
-    """The name of another robot's recording to play; empty if the robot has its own."""
+    """The name of another robot's recording to play, or an empty string if the robot has its own."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -123,9 +123,9 @@ def _both(robot: SiteRobot) -> str:
 
 
 def effects_of(recording: Recording, robot: SiteRobot) -> list[list[Any]]:
-    """Return the messages' effects as `[seconds, effect, value]` in chronological order, beginning at 0 s.
+    """Return each message's effect on the robot as `[seconds, effect, value]`, in chronological order from 0 s on.
 
-    Raises ValueError if there are no messages, or if the robot doesn't react to a topic.
+    Raises ValueError if there are no messages, or if the robot doesn't react to one of the topics.
     """
     events: list[list[Any]] = []
     for name in robot.topics:

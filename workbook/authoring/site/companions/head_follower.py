@@ -18,7 +18,7 @@ LIMIT_RAD = 0.6
 ORANGE = (4, 130, 35), (22, 255, 255)
 """Lower and upper limits of hue, saturation, and value, in OpenCV's ranges."""
 ROUND = 0.75
-"""A ball fills at least this share of its enclosing circle. A brick fills less."""
+"""A ball fills at least this fraction of its enclosing circle. A brick fills less."""
 
 
 class HeadFollower(Node):
@@ -41,7 +41,7 @@ class HeadFollower(Node):
 
 
 def ball_column(pixels: Picture) -> float | None:
-    """Return the column of the ball's center in an RGB image; None if nothing orange is round."""
+    """Return the column of the ball's center in an RGB image, or None if no orange object is round."""
     mask = cv2.inRange(cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV), *ORANGE)
     outlines, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     for outline in sorted(outlines, key=cv2.contourArea, reverse=True):

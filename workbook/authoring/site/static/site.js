@@ -1,5 +1,6 @@
-// Animates the site. The robot comes from the front end (rig.js) and plays recordings of the lessons' programs. No
-// program runs here, so predictions and films also show recordings. Without this script, every page is still readable.
+// Animates the site. The robot comes from the front end (rig.js) and plays recordings of the lessons' programs. The
+// site doesn't run programs, so predictions and films also show recordings. Without this script, every page is still
+// readable.
 import {Film} from './film.js';
 
 const GLIDES = 4; // as in workbook/lesson/robot_in_cell.py
