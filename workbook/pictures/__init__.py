@@ -5,7 +5,7 @@ Lessons and the layers above use the modules and names offered here::
     from workbook import pictures
     pictures.show(pictures.humanoid.draw(angles), "humanoid, 12 joints")
 
-Modules that need matplotlib are imported at first use.
+Modules that need matplotlib are imported on first use.
 """
 
 from importlib import import_module

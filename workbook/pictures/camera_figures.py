@@ -126,7 +126,7 @@ def hue_wheel(low: int, high: int) -> Figure:
 def pinhole_above(focal: float, offset: float) -> Figure:
     """Draw the pinhole model from above, with a ball to the right, and the triangle that determines its angle.
 
-    `focal`: the focal length in pixels. `offset`: how many pixels the ball's image is away from the center.
+    `focal`: the focal length in pixels. `offset`: the distance (px) of the ball's image from the center.
     """
     fig, axis = figure(6.6, 3.0)
     axis.set(xlim=(-2.2, 3.6), ylim=(-1.25, 1.3), aspect="equal")

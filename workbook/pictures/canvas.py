@@ -26,7 +26,7 @@ Align = Literal["left", "center", "right"]
 
 @dataclass(frozen=True)
 class Paint:
-    """How a shape is drawn: `fill` and `stroke` are colors; `width` (px) and `dash` (px on, px off) apply to the line.
+    """A shape's style: `fill` and `stroke` are colors; `width` (px) and `dash` (px on, px off) apply to the line.
 
     Without `fill`, only the line is drawn; without `stroke`, only the face. `alpha`: 0 (invisible) to 1 (opaque).
     """
@@ -40,7 +40,7 @@ class Paint:
 
 @dataclass(frozen=True)
 class Font:
-    """How text is drawn. `size` is in pixels."""
+    """The style of text. `size` is in pixels."""
 
     size: float = 12.0
     color: str = TEXT

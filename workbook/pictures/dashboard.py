@@ -24,9 +24,9 @@ def draw(
     """Return the dashboard as PNG bytes.
 
     `status` is the last word received and `battery` the last percentage; each is None before its first message.
-    `arrivals` maps each topic to its arrival times, in seconds on the same clock as `now`. Those in the last `window`
-    seconds are drawn. Any word and any number can be shown, and invalid ones are marked. Raises ValueError unless
-    `window` is positive.
+    `arrivals` maps each topic to its arrival times, in seconds on the same clock as `now`. The arrivals in the last
+    `window` seconds are drawn. Any word and any number can be shown, and invalid ones are marked. Raises ValueError
+    unless `window` is positive.
     """
     if not window > 0:
         raise ValueError(f"the window must be longer than 0 s, not {window}")

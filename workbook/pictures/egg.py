@@ -19,7 +19,7 @@ _BEFORE_MS, _AFTER_MS, _STEP_MS = 8, 14, 2
 
 
 def squeezed_mm(late_ms: float, after_touch_ms: float) -> float:
-    """Return how far (mm) the fingers have squeezed the egg by the given time (ms) after the touch.
+    """Return the distance (mm) by which the fingers have squeezed the egg at a time (ms) after the touch.
 
     The fingers stop `late_ms` after the touch.
     """

@@ -1,4 +1,4 @@
-"""Make short films from frames, for pages and notebooks. They play without scripts."""
+"""Make short films from frames, for pages and notebooks. The films play without scripts."""
 
 import io
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ EFFORT = 30
 COLORS = 128
 """The number of colors in an animated PNG: enough for drawings, which have few colors and smooth edges."""
 LAST_MS = 2500
-"""How long (ms) an animated PNG shows its last frame before it starts again."""
+"""The time (ms) for which an animated PNG shows its last frame before it starts again."""
 PHOTO_QUALITY = 55
 
 
@@ -46,9 +46,9 @@ def moving_png(
     per_second: float = 8.0,
     durations_ms: Sequence[int] | None = None,
 ) -> bytes:
-    """Return an animated PNG, which plays in a loop, also on code-hosting sites that show the notebook.
+    """Return an animated PNG, which plays in a loop, even on code-hosting sites that show the notebook.
 
-    All frames share 128 colors, and only changed pixels are stored. `durations_ms`: how long to show each frame;
+    All frames share 128 colors, and only changed pixels are stored. `durations_ms`: the time (ms) to show each frame;
     without it, `per_second` frames are shown per second. Raises ValueError if there are no frames.
     """
     if not pictures:

@@ -13,9 +13,9 @@ _SHELL, _DARK = "#eef2f7", "#4c5a69"
 
 
 def draw(neck: float, ball: tuple[float, float] | None, scale: float = 1.5) -> bytes:
-    """Draw the head turned to the left by `neck` (rad), and return PNG bytes.
+    """Draw the head turned to the left by `neck` (rad) and return PNG bytes.
 
-    `ball`: the ball's distances (m) in front of the robot and to its left; None if unknown.
+    `ball`: the ball's distances (m) in front of the robot and to its left, or None if they're unknown.
     """
     canvas = Canvas(WIDTH, HEIGHT, scale)
     end = _ahead(neck, 172)

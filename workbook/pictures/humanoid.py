@@ -37,7 +37,7 @@ GROUND = 388.0
 """The ground's distance from the image's upper edge (px)."""
 GLANCE, GLANCE_REACH = (4.0, 2.0), 60.0
 """The eyes' largest shift, sideways and up, and the height of a hand above its shoulder that causes three quarters of
-it.
+that shift.
 """
 STEM_FROM, STEM_TO = 82.0, 22.0
 NECK_BENDS = "neck bends"
@@ -60,9 +60,9 @@ def draw(
 ) -> bytes:
     """Draw the humanoid at twelve joint angles (rad, in the order of JOINT_NAMES), and return PNG bytes.
 
-    `lamp`: the state of the lamp on its chest; None: off. `caption`: a line under its feet. `panel`: add a table of the
-    twelve values. `scale`: dots per pixel; more is sharper on a high-resolution screen, but slower. Raises ValueError,
-    with a message for the angles' sender, unless there are twelve finite angles.
+    `lamp`: the state of the lamp on its chest, or None for off. `caption`: a line under its feet. `panel`: add a table
+    of the twelve values. `scale`: dots per pixel; more is sharper on a high-resolution screen, but slower. Raises
+    ValueError, with a message for the angles' sender, unless there are twelve finite angles.
     """
     pose = checked(angles)
     canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT, scale)
@@ -90,7 +90,7 @@ def placeholder(text: str = "no message yet", *, panel: bool = False, scale: flo
 
 
 def snores(canvas: Canvas) -> None:
-    """Draw the three letters above a sleeping robot."""
+    """Draw the three letters z above a sleeping robot."""
     for at, size in (((282, 92), 15.0), ((299, 72), 19.0), ((320, 48), 24.0)):
         canvas.text(at, "z", Font(size=size, bold=True))
 
@@ -116,9 +116,10 @@ def _robot(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool 
 
 
 class Part(NamedTuple):
-    """A rigid part of the figure: how it's drawn, and the joints that turn it, from the body outward.
+    """A rigid part of the figure: a function that draws it, and the joints that turn it, from the body outward.
 
-    When the eyes shift, the part moves by the share `glance` (x, y) of that shift, from 0 to 1.
+    When the eyes shift, the part moves by a fraction of that shift. `glance` is this fraction in x and in y, from 0 to
+    1.
     """
 
     name: str

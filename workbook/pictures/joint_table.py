@@ -13,7 +13,7 @@ TABLE_WIDTH = 284
 def joint_table(canvas: Canvas, pose: Sequence[float] | None, at: float) -> None:
     """Draw twelve angles (rad), starting at `at` (px): index, name, a gauge from -π to π, and the number.
 
-    A thick line in the gauge marks the comfortable range. If `pose` is None, the numbers are left out.
+    A thick line in the gauge marks the comfortable range. If `pose` is None, dashes replace the numbers.
     """
     left, gauge, number = at + 4.0, at + 138.0, at + TABLE_WIDTH - 8.0
     half = 34.0

@@ -54,7 +54,7 @@ PELVIS_RADIUS, CHEST, NECK, HEAD = 26.0, 92.0, 16.0, 84.0
 SHOULDER_OUT, SHOULDER_UP, HIP_OUT, WAIST_UP = 57.0, 74.0, 25.0, 12.0
 FOOT_INNER, FOOT_OUTER = 20.0, 27.0
 SWAY = -0.5 * (CHEST + NECK)
-"""The hips shift sideways by this times the sine of the angle at which the body leans."""
+"""The hips shift sideways by this number times the sine of the angle at which the body leans."""
 
 
 def pose(**angles: float) -> Angles:
@@ -222,8 +222,8 @@ def foot(leg: Limb, x: float, y: float) -> Point:
 def touching(figure: Skeleton) -> Iterator[tuple[tuple[str, ...], Point, float]]:
     """Yield candidates for the figure's lowest point.
 
-    Each consists of the joints that turn the point, from the body outward; the point; and how far the figure extends
-    below it.
+    Each candidate has three parts: the joints that turn the point, from the body outward; the point; and the figure's
+    extent below it.
     """
     for leg in figure.legs:
         hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))

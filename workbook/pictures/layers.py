@@ -26,7 +26,7 @@ OF_A_LANGUAGE = 2
 
 
 def layers() -> Figure:
-    """Draw the layers, and return the figure. `DESCRIPTION` is its alternative text."""
+    """Draw the layers and return the figure. `DESCRIPTION` is its alternative text."""
     fig, axes = figure(6.6, 3.0)
     for row, (left, right, what) in enumerate(LAYERS):
         bottom = float(len(LAYERS) - row)

@@ -1,7 +1,7 @@
 """Show a moving figure in a notebook cell, where its last frame remains as a still.
 
 Everything runs in the kernel's one thread. Frames are drawn while a cell awaits `animate`; ROS callbacks, widgets, and
-other tasks run in between. Stop ends the animation, and leaves the last frame on the page.
+other tasks run in between. Stop ends the animation and leaves the last frame on the page.
 """
 
 import asyncio
@@ -85,7 +85,7 @@ class LiveFigure:
 
 @dataclass(frozen=True, repr=False)
 class LiveStill(Still):
-    """The last frame of a live figure, and how fast the frames were shown.
+    """The last frame of a live figure, and the speed at which the frames were shown.
 
     `frames` were shown in `seconds` of real time. `stopped` is True if the figure was stopped early.
     """
@@ -122,7 +122,7 @@ async def animate(
     run, but it must not block. A busy machine shows fewer frames, but they don't lag. If the cell is interrupted (Stop)
     or the task canceled, the animation ends early without an error, and the code after it continues.
 
-    Returns the last frame, with the true `frames_per_second`. Raises ValueError if `seconds` or `fps` isn't positive,
+    Return the last frame, with the true `frames_per_second`. Raises ValueError if `seconds` or `fps` isn't positive,
     and RuntimeError if `frame` always returned None.
     """
     if not fps > 0 or not seconds > 0:

@@ -1,4 +1,4 @@
-"""Draw the path from DDS to the callbacks at one moment, in the same way in all lessons.
+"""Draw the path from DDS to the callbacks at one instant, in the same way in all lessons.
 
 The parts are queues, wait set, executor, and callbacks.
 
@@ -40,7 +40,7 @@ QUIET = Paint(stroke=GREY, width=1.2, alpha=0.5)
 
 @dataclass(frozen=True)
 class Instant:
-    """A moment in a recording: its time (s), a sentence about the event, and how long the frame is shown (ms)."""
+    """An instant in a recording: its time (s), a sentence about the event, and the duration of its frame (ms)."""
 
     t: float
     words: str
@@ -53,7 +53,7 @@ def height_of(recording: MachineRecording) -> float:
 
 
 def draw(recording: MachineRecording, moment: Instant) -> bytes:
-    """Draw a recording at one moment, and return PNG bytes."""
+    """Draw a recording at one instant and return PNG bytes."""
     canvas = Canvas(WIDTH, height_of(recording), SCALE)
     _columns(canvas, recording, moment.t)
     running = recording.running(moment.t)
@@ -138,7 +138,7 @@ def _queue(canvas: Canvas, recording: MachineRecording, place: int, now: float) 
 
 
 def _losses(canvas: Canvas, source: Source, lost: list[Item], y: float, now: float) -> None:
-    """Draw how many items a source has lost and, next to that number, an item that was lost just now."""
+    """Draw the number of items that a source has lost and, next to it, an item that was lost just now."""
     if not lost:
         return
     words = f"✗ {len(lost)} {'missed' if source.kind == 'timer' else 'thrown away'}"

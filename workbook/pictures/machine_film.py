@@ -1,4 +1,4 @@
-"""Make a film of a recorded machine: choose the moments, describe each, and draw the frames.
+"""Make a film of a recorded machine: choose the instants, describe each, and draw the frames.
 
 Time is stretched: ten callbacks within a millisecond get a frame each, but a second without changes gets only a few.
 The clock in each frame shows the recorded time.
@@ -25,7 +25,7 @@ LOOK_S = 0.25
 """While nothing new happens, there is a frame about this often."""
 SHORTEST_MS, LONGEST_MS, LAST_MS = 320, 700, 2500
 MOST = 64
-"""The largest number of frames in a film. Later moments are left out."""
+"""The largest number of frames in a film. Later instants are left out."""
 STEPS = 6
 """The number of frames in the column for readers who prefer no motion."""
 
@@ -76,13 +76,13 @@ def play(
 
 
 def _busy(recording: MachineRecording, now: float) -> int:
-    """Return how many items wait, plus how many callbacks run, at the time `now` (s)."""
+    """Return the number of waiting items plus the number of running callbacks at the time `now` (s)."""
     waiting = sum(len(recording.waiting(place, now)) for place in range(len(recording.sources)))
     return waiting + len(recording.running(now))
 
 
 def moments(recording: MachineRecording, begin: float, end: float) -> list[Instant]:
-    """Return the moments that get a frame, in order. If there are more than 64, return the first 64."""
+    """Return the instants that get a frame, in order. If there are more than 64, return the first 64."""
     found = [one for one in sorted(_events(recording)) if begin <= one[0] <= end]
     told = [(begin, ""), *found, (end, "")]
     filled: list[tuple[float, str]] = []
@@ -147,7 +147,7 @@ def _called(recording: MachineRecording, call: Call) -> str:
 
 
 def _meanwhile(recording: MachineRecording, now: float) -> str:
-    """Describe a moment at which nothing new happens."""
+    """Describe an instant at which nothing new happens."""
     running = [one for one in recording.running(now) if not one.is_paused(now)]
     if running:
         names = " and ".join(recording.sources[one.source].callback or "a response" for one in running)

@@ -1,4 +1,4 @@
-"""Find gaps between marks, and draw a timeline small enough for a line of text. This module doesn't need matplotlib."""
+"""Find gaps between marks and draw a timeline small enough for a line of text. This module doesn't need matplotlib."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -34,7 +34,7 @@ def tiny(
     start: float = 0.0,
     period: float | None = None,
 ) -> bytes:
-    """Draw a timeline for a card, as tall as a line of text, and return PNG bytes.
+    """Draw a timeline that is only as tall as a line of text, for a card, and return PNG bytes.
 
     Marks are blue, and gaps are red.
     """

@@ -19,7 +19,7 @@ from workbook.pictures.timeline import Row, draw
 PER_SECOND = 8.0
 """Frames per second of real time."""
 STEPS = 12
-"""The number of poses in one wave of the hand. At each of its beats, a robot moves to the next pose."""
+"""The number of poses in one wave of the hand. At each of its heartbeats, a robot moves to the next pose."""
 _SCALE = 0.66
 _PIXELS = round(humanoid.WIDTH * _SCALE)
 
@@ -28,7 +28,7 @@ _PIXELS = round(humanoid.WIDTH * _SCALE)
 class Robot:
     """A robot in a film: its name, its heartbeats (s), and the text below it while it stands still.
 
-    `period`: the planned time (s) between beats. If a beat is late by another period, the robot stands still.
+    `period`: the planned time (s) between heartbeats. If a heartbeat is late by another period, the robot stands still.
     """
 
     name: str
@@ -84,7 +84,7 @@ def moments(end: float, pace: float) -> list[float]:
 
 
 def is_late(robot: Robot, now: float) -> bool:
-    """Return whether the robot's next beat is overdue at the time `now` (s)."""
+    """Return whether the robot's next heartbeat is late by more than a period at the time `now` (s)."""
     count = bisect_right(robot.beats, now)
     last = robot.beats[count - 1] if count else 0.0
     return now - last > 2 * robot.period

@@ -1,4 +1,4 @@
-"""Pose the robot by its latest messages. It glides to each new pose, and sleeps until the first one."""
+"""Set the robot's pose from the latest message. The robot glides to each new pose, and sleeps until the first one."""
 
 import time
 from collections.abc import Iterable
@@ -8,9 +8,10 @@ from workbook.pictures.joints import Follower
 
 
 class MovingRobot:
-    """Poses the figure by joint angles (rad), and lights its lamp by the status.
+    """Sets the figure's pose from joint angles (rad), and its lamp from the status.
 
-    `ease`: seconds from one pose to the next. `captions`: show problems in the figure, and not only in `words`.
+    `ease`: the time (s) from one pose to the next. `captions`: whether the figure shows problems, too, and not only
+    `words`.
     """
 
     def __init__(self, ease: float, *, captions: bool = True) -> None:
@@ -36,7 +37,7 @@ class MovingRobot:
 
     @property
     def words(self) -> str:
-        """Why the robot is asleep; empty if it's awake."""
+        """The reason why the robot is asleep, or an empty string if it's awake."""
         return self.complaint or ("" if self.received else "waiting for /robot/joint_positions")
 
     def news(self) -> dict[str, object]:
@@ -49,7 +50,7 @@ class MovingRobot:
         }
 
     def frame(self) -> bytes | None:
-        """Return the current frame as PNG bytes; None if it's the same as the previous one.
+        """Return the current frame as PNG bytes, or None if it's the same as the previous one.
 
         So nothing is drawn for a robot that stands still.
         """

@@ -9,8 +9,8 @@ AMBER = "#b06a00"
 BLUE = "#2f78d0"
 GREY = "#787878"
 TEXT = "#737373"
-"""The color of text in a figure, with a contrast of 4.7:1 on white. No color also reaches 4.5:1 on a dark page, so dark
-pages brighten their figures.
+"""The color of text in a figure, with a contrast of 4.7:1 on white. No color reaches 4.5:1 on both a white and a dark
+page, so dark pages brighten their figures.
 """
 BRIGHTER_IN_THE_DARK = 1.3
 """The factor by which dark pages brighten figures, with the CSS filter `brightness()`. In JupyterLab,

@@ -85,6 +85,6 @@ def data_uri(png: bytes) -> str:
 
 
 def img_tag(png: bytes, alt: str) -> str:
-    """Return an `<img>` with the image and its alternative text, at the size for which it was drawn."""
+    """Return an `<img>` tag that shows the image at its intended size, with alternative text."""
     width, height = size_on_screen(png)
     return render("pictures/img", alt=alt, width=width, height=height, src=data_uri(png))

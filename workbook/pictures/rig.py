@@ -41,7 +41,7 @@ FACES: dict[str, tuple[humanoid.Lamp | None, bool]] = {
 }
 """The robot's faces, each with its lamp and whether the robot is asleep."""
 WALK_POSES, WALK_S = 16, 2.0
-"""The number of poses in two steps, and how long (s) the two steps take."""
+"""The number of poses in two steps, and the duration (s) of the two steps."""
 GAUGE = (46.0, 12.0)
 """The width and height of the battery on the chest."""
 _DIGITS = 2
@@ -131,9 +131,9 @@ def _recorded(draw: Callable[[Canvas], None]) -> list[Shape]:
 
 
 def _turns(figure: Skeleton) -> dict[str, list[float]]:
-    """Return, for each joint, how it turns the parts beyond it.
+    """Return, for each joint, the numbers that describe the rotation of the parts beyond it.
 
-    The numbers are the joint's index in a message, the angle for 1 rad, and the center of rotation (x, y in px).
+    They are the joint's index in a message, the angle for 1 rad, and the center of rotation (x, y in px).
     """
     points: dict[str, tuple[str, float, Point]] = {
         "neck": ("neck", 1.0, figure.neck),
@@ -156,7 +156,7 @@ def _turns(figure: Skeleton) -> dict[str, list[float]]:
 
 
 def _neck_share(figure: Skeleton) -> float:
-    """Return the share of the head's angle by which the neck's lower end turns."""
+    """Return the fraction of the head's angle by which the neck's lower end turns."""
     upper = humanoid.STEM_TO
     return upper / (upper + math.dist(figure.neck, figure.on_torso(0.0, humanoid.STEM_FROM)))
 
@@ -185,7 +185,7 @@ def _parts(figure: Skeleton) -> list[dict[str, Any]]:
 
 
 def _signs_on_the_chest(figure: Skeleton) -> list[dict[str, Any]]:
-    """Return the signs that only messages show: the ring for the heart, and the battery with its level."""
+    """Return the signs that are shown only after a message: the heartbeat's ring, and the battery with its level."""
     wide, high = GAUGE
     x, y = humanoid.on_picture(figure.on_torso(-wide / 2, 38))
 

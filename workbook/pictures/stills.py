@@ -1,4 +1,4 @@
-"""Show an image along with its description in words."""
+"""Show an image along with a text description."""
 
 import base64
 from dataclasses import dataclass
@@ -29,8 +29,8 @@ class Still:
         return f"Picture: {self.description}"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> MimeBundle:
-        # JupyterLab drops the alternative text of image/png, so it gets the image as an <img> as well. Exports, and
-        # readers that show no HTML, use image/png.
+        # JupyterLab drops the alternative text of image/png, so it gets the image as an <img> as well. Exports and
+        # viewers that don't show HTML use image/png.
         width, height = size_on_screen(self.png)
         bundle = {
             "text/plain": repr(self),
@@ -44,7 +44,7 @@ class Still:
         return data_uri(self.png)
 
     def save(self, path: str | Path) -> Path:
-        """Write the image to a file, and return its path."""
+        """Write the image to a file and return its path."""
         target = Path(path)
         target.write_bytes(self.png)
         return target

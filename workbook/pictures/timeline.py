@@ -1,4 +1,4 @@
-"""Draw timelines: when messages arrived, when they should have, and where they were missing."""
+"""Draw timelines: the times at which messages arrived or were expected, and the gaps."""
 
 import math
 from bisect import bisect_right
@@ -17,7 +17,7 @@ from workbook.recording.recording import Recording
 
 WIDTH = 680
 AS_DUE = 0.1
-"""If a rate is off by at most this share, the description states the required rate instead."""
+"""If a rate is off by at most this fraction, the description states the required rate instead."""
 
 _ROW, _TOP, _LEFT, _RIGHT = 40.0, 12.0, 16.0, 16.0
 _TITLE = 20.0
@@ -48,10 +48,11 @@ def timeline(
     topics: Sequence[str] | None = None,
     width: float = WIDTH,
 ) -> bytes:
-    """Draw a recording, and return PNG bytes: a row per topic, with a mark per arrival, over simulated time (s).
+    """Draw a recording and return PNG bytes: a row per topic, with a mark per arrival, over simulated time (s).
 
     `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` selects and orders the rows; by
-    default, these are all topics in `periods` or with a publisher. If the program ended by itself, its end is marked.
+    default, these are all topics in `periods` or with a publisher. If the program exited by itself, the time of its
+    exit is marked.
     """
     asked = dict(periods or {})
     names = list(topics) if topics is not None else _topics(recording, asked)
@@ -101,8 +102,8 @@ def draw(
 ) -> bytes:
     """Draw rows over one time axis from `start` to `end` (s), and return PNG bytes.
 
-    Without `end`, the axis ends at the last mark. `program_end` (s) marks the end of the program. `now` (s) draws a
-    vertical line at that time, for a film's frame. `title` is shown above, and states the finding.
+    Without `end`, the axis ends at the last mark. `program_end` (s), the time at which the program exited, is marked.
+    `now` (s) draws a vertical line at that time, for a film's frame. `title` is shown above, and states the finding.
     """
     last = max((t for row in rows for t in row.times), default=start)
     stop = end if end is not None else last
@@ -213,7 +214,7 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
 
 
 def _at_least(hz: float, step_s: float | None) -> str:
-    """Return "≥ " if a rate is close to the rate of simulated time's steps, else "".
+    """Return "≥ " if a rate is close to the rate of simulated time's steps, or "" otherwise.
 
     In that case, the true rate may be higher. `step_s`: the length of a step in seconds.
     """
@@ -232,7 +233,7 @@ def _pace_words(times: Sequence[float], period: float, step_s: float | None) -> 
 
 
 def process_end(recording: Recording) -> float | None:
-    """Return when the program ended by itself, in simulated time (s); None if it outlived the watch."""
+    """Return the simulated time (s) at which the program exited by itself, or None if it didn't."""
     process = recording.process
     if process.ended_by != "itself" or process.ended_at is None:
         return None
