@@ -1,7 +1,7 @@
 """Render HTML from the Jinja2 templates `PACKAGE/templates/NAME.html.j2`. All inserted text is escaped.
 
 From `workbook`, this module imports only `without_commands`, so that every layer may use it. Jinja2 itself is imported
-when the first template is rendered, because grading or a check in a terminal shows no HTML.
+when the first template is rendered, because grading or a check in a terminal doesn't show HTML.
 """
 
 from functools import cache

@@ -26,7 +26,7 @@ class Accuracy:
     """A detector's accuracy on a set of images.
 
     `right`: the number of correct detections, divided by the sum of correct, missed, and false detections. `found`: the
-    share of objects that were detected. `false`: the number of detections per image that match no object.
+    fraction of objects that were detected. `false`: the number of detections per image that don't match any object.
     """
 
     right: float

@@ -23,14 +23,14 @@ def load(takes_s: float = 0.0) -> None:
 
 
 def look(image: npt.NDArray[np.uint8]) -> list[Detection]:
-    """Return the detections in an image. If `load` wasn't called, load the detector first."""
+    """Return the detections in an image. If `load` hasn't been called in this process, load the detector first."""
     if not _loaded:
         load()
     return _loaded[0](image)
 
 
 def size(image: npt.NDArray[np.uint8]) -> int:
-    """Return the number of bytes in an image. This replaces the detector with a model that takes no time."""
+    """Return the number of bytes in an image. This function stands in for a detector that takes no time."""
     return image.nbytes
 
 

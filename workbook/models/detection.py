@@ -9,7 +9,7 @@ from workbook.scenes.tabletop import LABELS as LABELS
 
 Floats = npt.NDArray[np.float32]
 STRIDE = 4
-"""How many input pixels, in each direction, correspond to one square of the network's output."""
+"""The number of input pixels, in each direction, that correspond to one square of the network's output."""
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ def decoded(maps: Floats, threshold: float, factor: int) -> list[Detection]:
     """Return the detections in the network's output, highest score first.
 
     `maps`: shape (labels + 4, rows, columns). Each square has one number per label, the center's position within the
-    square, and the logarithms of width and height. `threshold`: the lowest score to return. `factor`: how many pixels
-    of the image, in each direction, correspond to one input pixel of the network.
+    square, and the logarithms of width and height. `threshold`: the lowest score to return. `factor`: the number of
+    image pixels, in each direction, that correspond to one input pixel of the network.
     """
     scores = 1.0 / (1.0 + np.exp(np.minimum(-maps[: len(LABELS)], 80.0)))
     best = scores.max(axis=0)

@@ -24,7 +24,7 @@ KINDS = ("stands", "bows", "is pushed", "falls")
 ON_THE_GROUND = 1.2
 """If the body's tilt (rad) exceeds this value, the robot counts as lying on the ground, which ends the episode."""
 STEPS = 4
-"""How many simulation steps of the pendulum there are per sample."""
+"""The number of the pendulum's simulation steps per sample."""
 
 _NOISE = np.array([0.02, 0.08, 0.01, 0.01])
 _GRAVITY_OVER_LENGTH = 16.0
@@ -33,9 +33,10 @@ _STIFFNESS, _DAMPING = 42.0, 8.0
 
 @dataclass(frozen=True)
 class Episode:
-    """Up to four seconds of a robot's sensor data. `kind`: one of `KINDS`. `samples`: shape (samples, channels).
+    """Up to four seconds of a robot's sensor data.
 
-    `falls_from`: the index of the first sample in which the robot is falling; None if it doesn't fall.
+    `kind`: one of `KINDS`. `samples`: an array with a row per sample and a column for each of `CHANNELS`.
+    `falls_from`: the index of the first sample in which the robot is falling, or None if it doesn't fall.
     """
 
     kind: str

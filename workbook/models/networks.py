@@ -31,7 +31,7 @@ class Layer:
 
     @property
     def padding(self) -> int:
-        """How many zeros to add at each edge, so that only the stride changes the image size."""
+        """The number of zeros to add at each edge, so that only the stride changes the image size."""
         return self.dilation * (self.kernel // 2)
 
 

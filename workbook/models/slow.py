@@ -13,7 +13,7 @@ WHITE = 250
 
 
 class SlowDetector:
-    """`DeskDetector` on a slow accelerator that takes 1 s to load, and then 0.2 s per image.
+    """`DeskDetector` on a slow accelerator that takes 1 s to load and then 0.2 s per image.
 
     A call waits for the accelerator without holding the GIL, so the program's other threads keep running. The
     accelerator processes one image at a time, so calls from several threads wait for one another.
@@ -22,7 +22,7 @@ class SlowDetector:
     LOADING_S = 1.0
     SECONDS = 0.2
     GLARE = 0.5
-    """An image with at least this share of white pixels is rejected."""
+    """An image with at least this fraction of white pixels is rejected."""
     _accelerator = threading.Lock()
 
     def __init__(self) -> None:

@@ -28,15 +28,15 @@ EPOCHS = 10
 BATCH = 32
 RATE = 4e-3
 SEEN_ENOUGH, SEEN_TOO_LITTLE = 0.6, 0.25
-"""Objects less visible than the first share aren't targets. Objects less visible than the second are background."""
+"""Objects less visible than the first fraction aren't targets. Objects less visible than the second are background."""
 ROWS, COLUMNS = HEIGHT // STRIDE, WIDTH // STRIDE
 OUT = len(LABELS)
 
 
 def targets(number: int, pinhole: Pinhole) -> tuple[Floats, Floats]:
-    """Return the network's target output for one image, shape (labels + 4, rows, columns), and which squares count.
+    """Return one image's target output, shape (labels + 4, rows, columns), and a mask of the squares that count.
 
-    The second array has two maps. The first is 1 where the labels count, and the second is 1 at objects' centers.
+    The mask has two maps. The first is 1 where the labels count, and the second is 1 at objects' centers.
     """
     wanted = np.zeros((OUT + 4, ROWS, COLUMNS), dtype=np.float32)
     counts = np.zeros((2, ROWS, COLUMNS), dtype=np.float32)
@@ -149,7 +149,7 @@ def folded(model: nn.Sequential) -> list[tuple[Floats, Floats]]:
 
 
 def promised() -> float:
-    """Return the accuracy that the committed provenance promises; 0 if there is no provenance yet."""
+    """Return the accuracy that the committed provenance promises, or 0 if there is no provenance yet."""
     if not PROVENANCE_FILE.is_file():
         return 0.0
     found: float = tomllib.loads(PROVENANCE_FILE.read_text(encoding="utf-8"))["accuracy"]["told"]

@@ -19,7 +19,7 @@ DESK: Color = (146.0, 138.0, 126.0)
 ARM: Color = (205.0, 208.0, 212.0)
 HAND: Color = (90.0, 94.0, 100.0)
 SHOULDER_M, UPPER_ARM_M, FOREARM_M, FINGER_M = (0.0, 0.2, -0.3), 0.3, 0.26, 0.07
-INWARD = 0.3  # rad; how far the arms are turned inward
+INWARD = 0.3  # rad; the angle by which the arms are turned inward
 LEFT_SHOULDER, LEFT_ELBOW, RIGHT_SHOULDER, RIGHT_ELBOW = 2, 3, 4, 5
 """The indices of these angles among the twelve of `/robot/joint_positions`."""
 Corner = tuple[int, int, int]

@@ -1,4 +1,4 @@
-"""Paint shapes into an image with smooth edges: a pixel that a shape covers partly gets a part of its color."""
+"""Paint shapes with smooth edges into an image: a partly covered pixel gets only a part of the shape's color."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 
 class Patch:
-    """The part of an image that a shape may cover: the columns and rows of its pixels, as arrays."""
+    """The rectangle of an image that contains a shape. `columns` and `rows` are its pixels' coordinates, as arrays."""
 
     def __init__(self, picture: Picture, corners: Sequence[Point], margin: float = 2.0) -> None:
         columns, rows = zip(*corners, strict=True)
@@ -37,7 +37,7 @@ class Patch:
         self._pixels[...] = np.rint(np.clip(mixed, 0.0, 255.0))
 
     def darken(self, by: Array) -> None:
-        """Darken each pixel `by` a share from 0 to 1."""
+        """Darken each pixel `by` a fraction from 0 to 1."""
         self._pixels[...] = np.rint(self._pixels * (1.0 - by[..., np.newaxis]))
 
 

@@ -14,8 +14,8 @@ class Pinhole:
     """A camera in the head. Pixel (0, 0) is the center of the upper left pixel.
 
     The camera's frame follows the ROS convention for cameras: x points right, y down, z forward. In the robot's frame,
-    x points forward, y left, z up. The camera is the origin of both. `focal`: the focal length in pixels. `pitch`: the
-    camera's downward angle (rad).
+    x points forward, y left, z up. The camera is the origin of both frames. `focal`: the focal length in pixels.
+    `pitch`: the camera's downward angle (rad).
     """
 
     width: int = 640
@@ -37,7 +37,10 @@ class Pinhole:
         return np.array([-left, -z * level - ahead * down, ahead * level - z * down])
 
     def pixel(self, point: Vector) -> tuple[float, float]:
-        """Project a point in the camera's frame (m) to column and row. Raise ValueError if it isn't in front."""
+        """Project a point in the camera's frame (m) to a column and a row.
+
+        Raise ValueError if the point isn't in front of the camera.
+        """
         if not point[2] > 0.0:
             raise ValueError(f"a camera sees only points in front of it (z > 0), not z = {point[2]}")
         column, row = self.center

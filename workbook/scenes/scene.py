@@ -38,9 +38,9 @@ class Plate:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene at one moment. Positions are relative to the camera in the robot's frame (m): x forward, y left, z up.
+    """A scene at one instant. Positions are relative to the camera in the robot's frame (m): x forward, y left, z up.
 
-    `joints`: the twelve angles of `/robot/joint_positions` (rad); with None, the scene has no arms. `pan`: the head's
+    `joints`: the twelve angles of `/robot/joint_positions` (rad), or None for a scene without arms. `pan`: the head's
     angle to the left (rad). `light`: 1 is a bright day, 0.3 an evening. `warm`: the light is reddish above 1, and
     bluish below 1.
     """

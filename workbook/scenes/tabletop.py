@@ -22,7 +22,7 @@ ARMS_AT_REST = (0.0, 0.0, 0.8, 0.8, 0.8, 0.8, 0.06, 0.06, 0.0, 0.06, 0.06, 0.0)
 class Thing:
     """An orange object in an image: the center and size of its upright bounding box, in pixels.
 
-    `visible`: the share of the box that is inside the image and not behind an arm, from 0 to 1.
+    `visible`: the fraction of the box that is inside the image and not behind an arm, from 0 to 1.
     """
 
     label: str
