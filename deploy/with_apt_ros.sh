@@ -1,5 +1,5 @@
 #!/bin/sh
-# Set up the course on a machine with ROS 2 Jazzy from apt (Ubuntu 24.04, also on ARM), and open the lessons:
+# Set up the course on a machine with ROS 2 Jazzy from apt (Ubuntu 24.04, including ARM), and open the lessons:
 #
 #     deploy/with_apt_ros.sh
 #
