@@ -66,7 +66,11 @@ def test_the_notebook_gets_question_and_options_only() -> None:
         ("n == 0", "n ==", "is not a condition"),
         ("n == 0", "exit()", "may only compare names and numbers"),
         ("n == 0", "n.__class__ == 0", "may only compare names and numbers"),
-        ("It depends\n", "It depends when `n > 5`\n", "option c of 'how-many': put the condition on a line by"),
+        (
+            "It depends\n",
+            "It depends when `n > 5`\n",
+            "option c of 'how-many': put the condition on a line by",
+        ),
         ("Each of", "*Each* of", "option b of 'how-many': '*Each*' is shown as it is written"),
         (
             "for anybody.",
