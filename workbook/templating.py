@@ -4,6 +4,7 @@ From `workbook`, this module imports only `without_commands`, so that every laye
 when the first template is rendered, because grading or a check in a terminal doesn't show HTML.
 """
 
+import re
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 _PACKAGE = Path(__file__).parent
+_LONG_NAME = re.compile(r"\S{20,}")  # a shorter name fits on a line of a card's table, so it stays whole
+_PLACE_TO_WRAP = re.compile(r"(?<=\w)([/_])(?=\w)")
 
 
 @cache
@@ -30,12 +33,21 @@ def _environment() -> "Environment":
         lstrip_blocks=True,
     )
     environment.filters["number"] = "{:g}".format
+    environment.filters["breakable"] = breakable
     return environment
 
 
 def _plain(value: object) -> object:
     """Remove invisible characters from a template's value. Markup is already clean."""
     return without_commands(value) if type(value) is str else value
+
+
+def breakable(text: str) -> "Markup":
+    """Escape the text, and let long names in it wrap after each `/` and `_` between two letters or digits."""
+    from markupsafe import Markup, escape
+
+    escaped = str(escape(without_commands(text)))
+    return Markup(_LONG_NAME.sub(lambda name: _PLACE_TO_WRAP.sub(r"\1<wbr>", name[0]), escaped))
 
 
 def render(template: str, **values: Any) -> str:

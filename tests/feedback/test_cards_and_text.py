@@ -20,6 +20,7 @@ from workbook.feedback.review import review_prompt
 from workbook.feedback.text import as_text
 from workbook.feedback.wording import clock_line, first_to_mend, worst_first
 from workbook.recording.recording import Recording
+from workbook.templating import breakable
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -86,9 +87,9 @@ every_judgement = pytest.mark.parametrize("judgement", JUDGEMENTS.values(), ids=
 
 
 class Reader(HTMLParser):
-    """Parses a card as a browser does: its tags, their attributes, its text."""
+    """Parses a card as a browser does: its tags, their attributes, its text. A name that may wrap stays whole."""
 
-    VOID = ("br", "img", "hr", "input")
+    VOID = ("br", "img", "hr", "input", "wbr")
 
     def __init__(self, html: str) -> None:
         super().__init__()
@@ -96,21 +97,27 @@ class Reader(HTMLParser):
         self.tags: set[str] = set()
         self.attributes: list[tuple[str, str]] = []
         self.texts: list[str] = []
+        self.last = ""
         self.feed(html)
         self.close()
         assert not self.open, f"never closed: {self.open}"
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.tags.add(tag)
+        self.last = tag
         self.attributes += [(name, value or "") for name, value in attrs]
         if tag not in self.VOID:
             self.open.append(tag)
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
+        self.last = ""
 
     def handle_data(self, data: str) -> None:
-        self.texts.append(data)
+        if self.last == "wbr":
+            self.texts[-1] += data
+        else:
+            self.texts.append(data)
 
     @property
     def text(self) -> str:
@@ -124,11 +131,17 @@ def card_of(judgement: Judgement) -> Card:
 # --- the card -------------------------------------------------------------------------------------------
 
 
+def test_long_names_wrap_only_after_a_slash_or_an_underscore() -> None:
+    assert breakable("on /robot/joint_positions") == "on /robot/<wbr>joint_<wbr>positions"
+    assert breakable("/robot/battery, __init__") == "/robot/battery, __init__", "short ones stay whole"
+    assert breakable("<i>/robot/joint_positions") == "&lt;i&gt;/robot/<wbr>joint_<wbr>positions"
+
+
 @every_judgement
 def test_a_card_is_whole_and_plain_html(judgement: Judgement) -> None:
     reader = Reader(card_of(judgement)._repr_html_())
     assert reader.tags <= set(
-        "style div p b i table thead tbody tr th td progress details summary pre code small img br".split()
+        "style div p b i table thead tbody tr th td progress details summary pre code small img br wbr".split()
     )
     assert not [
         name for name, _ in reader.attributes if name.startswith("on") or name in ("class", "id", "href")
@@ -158,7 +171,7 @@ def test_what_failed_stands_first_and_tinted_and_then_what_waits_for_it(judgemen
         status in ("failed", "partial") for status in shown
     ]
     first = first_to_mend(judgement)
-    assert first is None or str(escape(first.title)) in rows[0]
+    assert first is None or str(escape(first.title)) in rows[0].replace("<wbr>", "")
 
 
 @pytest.mark.parametrize("has_rates", [True, False])
@@ -424,6 +437,8 @@ def test_full_marks_are_a_moment() -> None:
     assert "You gained 10 points." in page
     link = re.search(r'<a href="../notebooks/10_slow.ipynb" [^>]*>(.*?)</a>', page)
     assert link and link[1] == "Next: 10 · Slow &lt;callbacks&gt; &rarr;"
+    handing_in = as_html(judged("solution"), Extras(file="answers/09.py", moment=moment))
+    assert handing_in.index("Hand in this file") < handing_in.index("Next: 10")
     assert 'alt="Your robot moves."' in page
     assert "data:image/webp;base64,ZmlsbQ==" in page
     assert "prefers-reduced-motion" in page

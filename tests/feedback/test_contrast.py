@@ -2,15 +2,17 @@
 
 import re
 from itertools import product
+from pathlib import Path
 
 import pytest
 
 from workbook.exercise.judgement import Judgement
 from workbook.feedback.card import as_html
-from workbook.feedback.colors import COLORS, TEXT, TINTS
+from workbook.feedback.colors import COLORS, ON_DARK, ON_LIGHT, TEXT, TINTS
 from workbook.grading.pages import TEXT_COLORS
 from workbook.templating import render
 
+ROOT = Path(__file__).resolve().parents[2]
 LEAST = 4.5
 GROUNDS = {
     "light": ["#ffffff", "#f5f5f5", "#e1f5fe"],
@@ -83,6 +85,17 @@ def test_text_is_readable_on_every_ground_tinted_or_not(themes: object, theme: s
     for (name, color), ground in product(colors.items(), map(parse, GROUNDS[theme])):
         behind = [ground, *(tinted(ground, tint) for tint in TINTS.values())]
         assert min(contrast(parse(color), one) for one in behind) >= LEAST, f"{name} on {ground}"
+
+
+def test_the_labels_of_a_timeline_are_readable_in_both_themes() -> None:
+    """The browser blends thin letters with the background, so they need more than the least contrast."""
+    label = parse(ON_LIGHT["skipped"])
+    assert ON_DARK["timeline"] == "invert(1) hue-rotate(180deg)"
+    inverted = (255 - label[0], 255 - label[1], 255 - label[2])  # a gray has no hue to rotate
+    for theme, color in (("light", label), ("dark", inverted)):
+        assert min(contrast(color, parse(ground)) for ground in GROUNDS[theme][:-1]) >= 1.3 * LEAST
+    rules = (ROOT / "workbook" / "lab" / "front_end" / "panel" / "contrast.css").read_text(encoding="utf-8")
+    assert f"filter: {ON_DARK['timeline']}" in rules
 
 
 def test_the_palette_alone_would_not_do_for_text() -> None:

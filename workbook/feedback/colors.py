@@ -8,10 +8,22 @@ meaning.
 
 COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
 """The colors of shapes, by criterion state."""
-ON_LIGHT = {"passed": "#17652c", "failed": "#ae2020", "partial": "#804d00", "skipped": "#565656"}
-"""The colors of text on a light background, tinted or not."""
-ON_DARK = {"passed": "#5fc97c", "failed": "#ff9a95", "partial": "#e5a545", "skipped": "#b4b4b4"}
-"""The colors of text on a dark background, tinted or not."""
+ON_LIGHT = {
+    "passed": "#17652c",
+    "failed": "#ae2020",
+    "partial": "#804d00",
+    "skipped": "#565656",
+    "timeline": "none",
+}
+"""The colors of text on a light background, tinted or not, and the CSS filter of the timeline."""
+ON_DARK = {
+    "passed": "#5fc97c",
+    "failed": "#ff9a95",
+    "partial": "#e5a545",
+    "skipped": "#b4b4b4",
+    "timeline": "invert(1) hue-rotate(180deg)",
+}
+"""The same on a dark background. The filter makes the timeline's dark labels light, and keeps its other hues."""
 TEXT = {state: f"var(--workbook-{state})" for state in COLORS}
 """The values of the CSS property for text color, as in `color:var(--workbook-failed)`."""
 TINT_SHARE = 0.14
@@ -31,5 +43,5 @@ TINTS = {state: tint(state) for state in COLORS}
 
 
 def variables(colors: dict[str, str]) -> str:
-    """Return CSS declarations that set the variables in `TEXT` to these colors."""
+    """Return CSS declarations that set the variables in `TEXT`, and the timeline's filter."""
     return ";".join(f"--workbook-{state}:{color}" for state, color in colors.items())

@@ -1,6 +1,7 @@
 """Draw a card's figure, which shows when messages were expected and when they arrived."""
 
 from workbook.exercise.definition import Exercise
+from workbook.feedback.colors import ON_LIGHT
 from workbook.recording.recording import Recording
 
 
@@ -10,4 +11,5 @@ def judged_timeline(exercise: Exercise, recording: Recording) -> tuple[bytes, st
     from workbook.pictures import timeline
 
     periods = {name: period for name, period in exercise.periods.items() if recording.topic(name).publishers}
-    return timeline.timeline(recording, periods=periods), timeline.describe(recording, periods)
+    ink = ON_LIGHT["skipped"]  # a dark background inverts the image
+    return timeline.timeline(recording, periods=periods, ink=ink), timeline.describe(recording, periods)

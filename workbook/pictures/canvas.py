@@ -40,10 +40,10 @@ class Paint:
 
 @dataclass(frozen=True)
 class Font:
-    """The style of text. `size` is in pixels."""
+    """How text is drawn. `size` is in pixels. Without `color`, it has the canvas's color of text."""
 
     size: float = 12.0
-    color: str = TEXT
+    color: str | None = None
     bold: bool = False
 
 
@@ -52,10 +52,10 @@ PLAIN_TEXT = Font()
 
 
 class Canvas:
-    """A transparent image, `width` by `height` pixels."""
+    """A transparent image, `width` by `height` pixels. `ink`: the color of its text."""
 
-    def __init__(self, width: float, height: float, scale: float = 2.0) -> None:
-        self.width, self.height, self.scale = width, height, scale
+    def __init__(self, width: float, height: float, scale: float = 2.0, ink: str = TEXT) -> None:
+        self.width, self.height, self.scale, self.ink = width, height, scale, ink
         self._renderer = RendererAgg(round(width * scale), round(height * scale), 72)
         self._pen = self._renderer.new_gc()
         self._base = Affine2D.from_values(scale, 0, 0, -scale, 0, round(height * scale))
@@ -119,7 +119,7 @@ class Canvas:
         outline, length = _outline(words, font.size, font.bold)
         shift = {"left": 0.0, "center": -length / 2, "right": -length}[align]
         place = Affine2D().translate(shift, 0).scale(1, -1).translate(*at)
-        self.path(outline, Paint(fill=font.color), at=place)
+        self.path(outline, Paint(fill=font.color or self.ink), at=place)
 
 
 def _stroked(paint: Paint) -> Paint:

@@ -30,7 +30,7 @@ from workbook.pictures.joints import (
     touching,
     walking,
 )
-from workbook.pictures.palette import AMBER, BLUE, GREEN, GREY, RED
+from workbook.pictures.palette import AMBER, BLUE, GREEN, GREY, RED, TEXT
 
 Shape = dict[str, Any]
 FACES: dict[str, tuple[humanoid.Lamp | None, bool]] = {
@@ -102,7 +102,7 @@ class ShapeRecorder(Canvas):
         anchor = {"left": "start", "center": "middle", "right": "end"}[align]
         weight = "bold" if font.bold else "normal"
         self.shapes.append(
-            {"tag": "text", "x": at[0], "y": at[1], "fill": font.color, "text": words}
+            {"tag": "text", "x": at[0], "y": at[1], "fill": font.color or TEXT, "text": words}
             | {"font-size": font.size, "font-weight": weight, "text-anchor": anchor}
         )
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from workbook.pictures.canvas import Canvas, Font, Paint, shorten, text_width
 from workbook.pictures.marks import gaps
-from workbook.pictures.palette import AMBER, BLUE, RED
+from workbook.pictures.palette import AMBER, BLUE, RED, TEXT
 from workbook.recording.recording import Recording
 
 WIDTH = 680
@@ -47,12 +47,13 @@ def timeline(
     periods: Mapping[str, float] | None = None,
     topics: Sequence[str] | None = None,
     width: float = WIDTH,
+    ink: str = TEXT,
 ) -> bytes:
     """Draw a recording and return PNG bytes: a row per topic, with a mark per arrival, over simulated time (s).
 
     `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` selects and orders the rows; by
-    default, these are all topics in `periods` or with a publisher. If the program exited by itself, the time of its
-    exit is marked.
+    default, these are all topics in `periods` or with a publisher. If the program ended by itself, its end is marked.
+    `ink`: the color of the labels.
     """
     asked = dict(periods or {})
     names = list(topics) if topics is not None else _topics(recording, asked)
@@ -63,7 +64,7 @@ def timeline(
         times = [arrival.t for arrival in topic.arrivals]
         note = _rate_words(times, step_s=recording.step_s)
         rows.append(Row(name, times, asked.get(name), window[0], window[1], note))
-    return draw(rows, end=recording.watched_s, program_end=process_end(recording), width=width)
+    return draw(rows, end=recording.watched_s, program_end=process_end(recording), width=width, ink=ink)
 
 
 def strip(
@@ -99,11 +100,13 @@ def draw(
     now: float | None = None,
     title: str = "",
     width: float = WIDTH,
+    ink: str = TEXT,
 ) -> bytes:
     """Draw rows over one time axis from `start` to `end` (s), and return PNG bytes.
 
-    Without `end`, the axis ends at the last mark. `program_end` (s), the time at which the program exited, is marked.
-    `now` (s) draws a vertical line at that time, for a film's frame. `title` is shown above, and states the finding.
+    Without `end`, the axis ends at the last mark. `program_end` (s) marks the end of the program. `now` (s) draws a
+    vertical line at that time, for a film's frame. `title` is shown above, and states the finding. `ink`: the color of
+    the labels.
     """
     last = max((t for row in rows for t in row.times), default=start)
     stop = end if end is not None else last
@@ -111,7 +114,7 @@ def draw(
         stop = start + 1.0
     top = _TOP + (_TITLE if title else 0.0)
     bottom = top + _ROW * max(1, len(rows))
-    canvas = Canvas(width, bottom + 40)
+    canvas = Canvas(width, bottom + 40, ink=ink)
     canvas.text((_LEFT, 17), shorten(title, width - 2 * _LEFT, 13.5, bold=True), Font(size=13.5, bold=True))
     labels = max((text_width(row.label, 12.5) for row in rows), default=0.0)
     left = _LEFT + min(labels, 220.0) + 14
