@@ -30,6 +30,17 @@ robot => {
     new MutationObserver(look).observe(robot.querySelector('g'), {attributes: true, attributeFilter: ['transform']});
 }
 """
+GRAPH_NAMES = """
+graph => [...graph.querySelectorAll('g')].map(one => {
+    const [box, ...lines] = [one.querySelector('rect'), ...one.querySelectorAll('text')];
+    const fits = lines.every(line => {
+        const [inner, outer] = [line.getBoundingClientRect(), box.getBoundingClientRect()];
+        return inner.left >= outer.left && inner.right <= outer.right
+            && inner.top >= outer.top - 1 && inner.bottom <= outer.bottom + 1;
+    });
+    return [lines.map(line => line.textContent).join(''), one.querySelector('title').textContent, fits];
+})
+"""
 CUT = "panel => panel.scrollWidth - panel.clientWidth"
 
 
@@ -145,6 +156,9 @@ def test_the_panel(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     expect(panel.locator(".workbook-graph svg")).to_have_attribute(
         "aria-label", "Graph: /joint_position_publisher publishes /robot/joint_positions"
     )
+    names = ("/joint_position_publisher", "/robot/joint_positions")
+    drawn = panel.locator(".workbook-graph svg").evaluate(GRAPH_NAMES)
+    assert drawn == [[name, name, True] for name in names], "a name is cut"
     robot.evaluate(FRAMES)
     page.page.wait_for_function("() => window.panelFrames > 9")
     panel.get_by_role("button", name="/robot/joint_positions").click()

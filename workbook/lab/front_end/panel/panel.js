@@ -28,24 +28,28 @@
   const isPlumbing = name => name === '/clock' || name.startsWith('/driver/');
 
   // The graph has two columns, nodes and topics, to fit next to a notebook. Publishers and subscriptions are arrows.
-  const ROW = 48;
-  const BOX = 38;
+  const GAP = 10;
+  const LINE = 14;
   const LETTER = 6.4;
+  const LETTER_PX = 11.5;
   const NARROW = 1000;
-  const drawGraph = (draw, {nodes, topics}, width) => {
+  const drawGraph = ({draw, parts}, {nodes, topics}, width) => {
     const column = Math.floor(width * 0.43);
     const letters = Math.max(6, Math.floor((column - 12) / LETTER));
-    // Split a name into one or two lines, before the last / or _ that fits.
-    const lines = name => {
-      if (name.length <= letters) {
-        return [name];
-      }
-      const at = Math.max(name.lastIndexOf('/', letters - 1), name.lastIndexOf('_', letters - 1));
-      const end = at > 0 ? at : letters - 1;
-      const rest = name.slice(end);
-      return [name.slice(0, end), rest.length <= letters ? rest : `…${rest.slice(1 - letters)}`];
-    };
-    const height = Math.max(1, nodes.length, topics.length) * ROW;
+    // Split a name into lines, each with as many of its parts as fit.
+    const lines = name =>
+      parts(name).reduce(
+        ([...above], part) => {
+          const last = above.pop();
+          return (last + part).length <= letters || !last ? [...above, last + part] : [...above, last, part];
+        },
+        ['']
+      );
+    // A part that's too long for a line gets smaller letters.
+    const letterSize = line => LETTER_PX * Math.min(1, letters / line.length);
+    const most = Math.max(1, ...[...nodes, ...topics.map(({name}) => name)].map(name => lines(name).length));
+    const tall = most * LINE + GAP;
+    const height = Math.max(1, nodes.length, topics.length) * (tall + GAP);
     const middle = (index, count) => (height / count) * (index + 0.5);
     const names = [...nodes];
     const picture = draw('svg', {viewBox: `0 0 ${width} ${height}`, width, height, role: 'img'});
@@ -79,9 +83,18 @@
           'g',
           {class: kind},
           draw('title', {}, name),
-          draw('rect', {x: x + 1, y: y - BOX / 2, width: column - 2, height: BOX, rx: radius}),
+          draw('rect', {x: x + 1, y: y - tall / 2, width: column - 2, height: tall, rx: radius}),
           ...lines(name).map((line, at, all) =>
-            draw('text', {x: x + column / 2, y: y + 11 - 7 * all.length + 14 * at, 'text-anchor': 'middle'}, line)
+            draw(
+              'text',
+              {
+                x: x + column / 2,
+                y: y + 11 + LINE * (at - all.length / 2),
+                'text-anchor': 'middle',
+                style: `font-size: ${letterSize(line)}px`
+              },
+              line
+            )
           )
         )
       );
@@ -155,7 +168,8 @@
         this._messages = make('pre', {tabindex: '0'});
         this._echoTitle = make('h3');
         this._echoPart = make('section', {hidden: '', class: 'workbook-echo'}, this._echoTitle, this._messages);
-        this._parts = make('div', {}, make('h3', {}, 'Graph'), this._picture, make('h3', {}, 'Topics'), this._table, this._folded, this._echoPart);
+        this._topics = make('h3', {}, 'Topics');
+        this._parts = make('div', {}, make('h3', {}, 'Graph'), this._picture, this._topics, this._table, this._folded, this._echoPart);
         this.node.append(this._name, this._status, this._stage.node, this._parts);
       }
 
@@ -219,7 +233,7 @@
         const topics = this._graph.topics.filter(({name}) => !isPlumbing(name));
         const nodes = this._graph.nodes.filter(name => name !== '/driver');
         this._picture.replaceChildren(
-          nodes.length || topics.length ? drawGraph(stage.draw, {nodes, topics}, width) : make('p', {}, 'No nodes on this domain.')
+          nodes.length || topics.length ? drawGraph(stage, {nodes, topics}, width) : make('p', {}, 'No nodes on this domain.')
         );
       }
 
@@ -249,6 +263,7 @@
         }
         const [plumbing, seen] = [true, false].map(kind => rows.filter(([name]) => isPlumbing(name) === kind));
         this._table.hidden = !fill(this._table, seen, this._head);
+        this._topics.hidden = !rows.length;
         this._folded.hidden = !fill(this._plumbing, plumbing);
         this._folded.firstChild.textContent = `The exercise's own topics (${plumbing.length})`;
       }

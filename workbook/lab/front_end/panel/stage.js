@@ -21,11 +21,10 @@ export const make = (name, attributes = {}, ...children) => {
   return element;
 };
 
-// Split a name so that it can wrap only before a / and after a _.
+// Split a name before each / and after each _. A name may wrap only there.
+export const parts = name => name.split(/(?=\/)|(?<=_)/);
 export const breakable = name =>
-  name
-    .split(/(?=\/)|(?<=_)/)
-    .flatMap((part, at) => (at ? [document.createElement('wbr'), part] : [part]));
+  parts(name).flatMap((part, at) => (at ? [document.createElement('wbr'), part] : [part]));
 
 export const sparkline = numbers => {
   const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
