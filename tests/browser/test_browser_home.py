@@ -1,5 +1,6 @@
 """The first screen, the tour, the home page, and the tabs: JupyterLab before and between the lessons."""
 
+import io
 import json
 import re
 from collections.abc import Iterator
@@ -7,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 from playwright.sync_api import Browser, Locator, TimeoutError, ViewportSize, expect
 
 from workbook.lab.work_folder import first_lesson
@@ -148,6 +150,18 @@ def check_tour(page: LabPage, artifacts: Path) -> None:
     expect(frame).to_have_count(0)
 
 
+def check_that_the_tour_follows(page: LabPage, cell: Locator) -> None:
+    """Start the tour from the Help menu. Check that it goes on once the reader has run a cell, without taking focus."""
+    tour = page.page.locator(".wb-tour")
+    page.menu("Help", "One-Minute Tour")
+    expect(tour.locator("h2")).to_have_text("Run a cell")
+    page.run(cell)
+    expect(tour.locator("h2")).to_have_text("Stop a cell")
+    assert page.panel.evaluate("notebook => notebook.contains(document.activeElement)")
+    tour.locator(".wb-tour-skip").click()
+    expect(tour).to_have_count(0)
+
+
 def check_names_of_files(page: LabPage, artifacts: Path) -> None:
     """Check that each name is shown completely, even in a narrow window, where the column is as narrow as possible."""
     column = page.page.locator("#jp-left-stack")
@@ -263,6 +277,7 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     expect(cell.locator(".jp-InputPrompt")).to_have_text("[1]:")
     expect(cell.get_by_role("img", name=ROBOT).first).to_be_in_viewport(ratio=0.99)
     page.page.screenshot(path=artifacts / "first_robot.png")
+    check_that_the_tour_follows(page, page.panel.locator(".jp-CodeCell").nth(1))
     check_layout(page, artifacts)
     check_prompt(page, artifacts)
     check_traceback(page, page.panel.locator(".jp-CodeCell").nth(1), artifacts)
@@ -363,9 +378,31 @@ def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
             assert home.evaluate(_STANDS_OUT) == [], f"one over the other at {width} px"
             page.page.screenshot(path=artifacts / f"home_{width}_{theme}.png")
         assert violations(page.page, ".wb-home") == []
+        check_bars(home)
         low = {text: ratio for text, ratio in page.contrasts(home).items() if ratio < LEAST_CONTRAST}
         assert not low, f"{theme}: {low}"
     page.page.set_viewport_size(TALL)
+
+
+def check_bars(home: Locator) -> None:
+    """Check that a progress bar's empty part looks like the page behind it, and that its filled part stands out."""
+    for name, is_begun in (("points", True), ("lessons read", False)):
+        bar = home.get_by_role("progressbar", name=name)
+        with Image.open(io.BytesIO(bar.screenshot())) as image:
+            pixels = image.convert("RGB")
+        left, right = (pixels.getpixel((x, pixels.height // 2)) for x in (4, pixels.width - 5))
+        bright, dark = sorted((luminance(left), luminance(right)), reverse=True)
+        ratio = (bright + 0.05) / (dark + 0.05)
+        assert ratio >= 3 if is_begun else ratio < 1.1, f"{name}: {left}, {right}"
+
+
+def luminance(color: Any) -> float:
+    """Return a color's relative luminance by WCAG's formula."""
+    red, green, blue = (
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+        for part in (one / 255 for one in color)
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 def check_tabs(page: LabPage, artifacts: Path) -> None:
@@ -380,6 +417,9 @@ def check_tabs(page: LabPage, artifacts: Path) -> None:
         "all => all.map(one => getComputedStyle(one, '::after').content)"
     )
     assert sorted(words) == ['"05 ✎"', '"05"']
+    expect(exercise).to_have_attribute("title", re.compile(r"^Exercise 05: Three rates in one robot\nName: "))
+    lesson = page.page.locator(f"{TABS}[data-workbook=lesson]")
+    expect(lesson).to_have_attribute("title", re.compile(r"^Lesson 05: Timers\nName: "))
     expect(page.page.locator(f"{TABS}.jp-mod-dirty")).to_have_count(0)
     page.page.screenshot(path=artifacts / "tabs.png")
     page.await_server("api/kernels", lambda kernels: len(kernels) == 2)

@@ -17,6 +17,7 @@
   const WIDE = '(min-width: 1100px)';
   const ROOMY = '(min-width: 1500px)'; // enough room for the file browser, a lesson, and the robot panel
   const NUMBERED = /^(\d\d)_\w+?(_deeper)?\.ipynb$/;
+  const TITLE = /^# (?:Exercise )?\d\d · (?:Deeper: )?(.+)/;
   const FILE_NAME = '.jp-DirListing-itemText';
   const running = new Set();
   const watches = new WeakMap();
@@ -37,6 +38,29 @@
     const [, number, deeper] = NUMBERED.exec(name) || [];
     const short = number && `${number}${deeper ? ' +' : ''}${workbook === 'exercise' ? ' ✎' : ''}`;
     title.dataset = {...title.dataset, workbook, ...(short ? {number: short} : {})};
+  };
+
+  // Return what a tab's number and sign mean, as in "Exercise 09: The joint positions". Empty if the notebook's first
+  // line isn't a numbered title.
+  const meaning = ({context: {localPath}, content}) => {
+    const [name, folder] = localPath.split('/').reverse();
+    const [, number, deeper] = NUMBERED.exec(name) || [];
+    const first = content.model?.cells.get(0)?.sharedModel.getSource() || '';
+    const [, words] = (number && TITLE.exec(first)) || [];
+    const kind = folder === 'exercises' ? 'Exercise' : deeper ? 'Deeper part of lesson' : 'Lesson';
+    return words ? `${kind} ${number}: ${words}` : '';
+  };
+
+  // Begin the tab's tooltip with these words. JupyterLab writes the tooltip again whenever it saves the notebook.
+  const explainTab = panel => {
+    const explain = () => {
+      const [words, {title}] = [meaning(panel), panel];
+      if (words && !title.caption.startsWith(words)) {
+        title.caption = `${words}\n${title.caption}`;
+      }
+    };
+    panel.title.changed.connect(explain);
+    panel.context.ready.then(explain);
   };
 
   // JupyterLab sorts an underscore before a dot, so "01_the_context_deeper" would come before "01_the_context".
@@ -239,6 +263,7 @@
       NotebookActions.executed.connect((_, {cell}) => ended(cell));
       tracker.widgetAdded.connect((_, panel) => {
         markTab(panel);
+        explainTab(panel);
         if (!window.matchMedia(ROOMY).matches) {
           app.restored.then(() => app.shell.collapseLeft());
         }

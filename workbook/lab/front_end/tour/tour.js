@@ -7,14 +7,16 @@
   const STYLE = new URL('tour.css', document.currentScript.src).href;
   const FOLLOW_EVERY_MS = 300;
   const BUTTON = name => `.jp-NotebookPanel:not(.lm-mod-hidden) [data-jp-item-name="${name}"]`;
-  // Title, text, and selector of the element to frame as soon as it's on the page.
+  const RAN = 'workbook:code-cell-has-run'; // not a command, because a command can also run a text cell
+  // Title, text, selector of the element to frame as soon as it's on the page, and what the reader does in this step:
+  // one of these commands, which buttons, menus, and keys run, or RAN.
   const STEPS = [
-    ['Run a cell', 'Click into a code cell, and press Shift+Enter or this button. A number in the brackets to the left of the cell shows that it has run.', BUTTON('run')],
-    ['Stop a cell', 'A cell that is still running shows [*]. This button stops it. All variables keep their values.', BUTTON('interrupt')],
-    ['Restart', "Does nothing make sense anymore? This button restarts Python and ends all of this notebook's robot programs. Your text is kept.", BUTTON('restart')],
-    ['A terminal', 'File > New > Terminal. Type “workbook topic list” there to list the topics of the robot in your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
-    ['The robot panel', 'This button shows the robot, its nodes, and its topics next to the notebook, and keeps them in view while you read on.', BUTTON('robot-panel')],
-    ['Home', 'Help > Workbook Home shows your progress and takes you back to where you left off. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
+    ['Run a cell', 'Click into a code cell, and press Shift+Enter or this button. A number in the brackets to the left of the cell shows that it has run.', BUTTON('run'), new RegExp(`^${RAN}$`)],
+    ['Stop a cell', 'A cell that is still running shows [*]. This button stops it. All variables keep their values.', BUTTON('interrupt'), /^(notebook:interrupt-kernel|kernelmenu:interrupt)$/],
+    ['Restart', "Does nothing make sense anymore? This button restarts Python and ends all of this notebook's robot programs. Your text is kept.", BUTTON('restart'), /^(notebook|kernelmenu):restart/],
+    ['A terminal', 'File > New > Terminal. Type “workbook topic list” there to list the topics of the robot in your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child', /^terminal:create-new$/],
+    ['The robot panel', 'This button shows the robot, its nodes, and its topics next to the notebook, and keeps them in view while you read on.', BUTTON('robot-panel'), /^rclpy-workbook:robot-panel$/],
+    ['Home', 'Help > Workbook Home shows your progress and takes you back to where you left off. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child', /^workbook:home$/],
   ];
   const common = import(new URL('../../rclpy-workbook/static/common.js', document.currentScript.src));
   let shared = {};
@@ -49,6 +51,7 @@
       this.card = element('div', 'wb-tour');
       this.card.setAttribute('role', 'dialog');
       this.card.setAttribute('aria-label', 'One-minute tour');
+      this.card.setAttribute('aria-live', 'polite'); // a step may come without a click
       // Update the frame regularly, because JupyterLab may move its buttons at any time.
       this.timer = setInterval(() => this.showFrame(), FOLLOW_EVERY_MS);
       this.card.addEventListener('keydown', event => {
@@ -92,6 +95,16 @@
       Object.assign(this.frame.style, {left: `${left - 4}px`, top: `${top - 4}px`, width: `${width + 8}px`, height: `${height + 8}px`});
     }
 
+    // Show the next step once the reader has done what this one explains, such as once the cell has run. The focus stays
+    // where the reader works. A command's result is false if it did nothing.
+    async follow(id, result = Promise.resolve(true)) {
+      const {number} = this;
+      const isLast = number === this.steps.length - 1;
+      if (this.steps[number][3].test(id) && (await result.catch(() => false)) !== false && this.number === number) {
+        isLast ? this.end() : this.show(number + 1, false);
+      }
+    }
+
     end() {
       clearInterval(this.timer);
       this.card.remove();
@@ -99,7 +112,7 @@
     }
   }
 
-  const plugin = ({ICommandPalette}, {IMainMenu}, {ServerConnection}, {PageConfig, URLExt}) => ({
+  const plugin = ({ICommandPalette}, {IMainMenu}, {NotebookActions}, {ServerConnection}, {PageConfig, URLExt}) => ({
     id: `${NAME}:plugin`,
     autoStart: true,
     optional: [ICommandPalette, IMainMenu],
@@ -114,6 +127,8 @@
         }
         tour = new Tour(takesFocus);
       };
+      app.commands.commandExecuted.connect((_, {id, result}) => tour?.follow(id, result));
+      NotebookActions.executed.connect((_, {cell}) => cell.model.type === 'code' && tour?.follow(RAN));
       app.commands.addCommand(COMMAND, {label: 'One-Minute Tour', execute: () => start(true)});
       if (palette) {
         palette.addItem({command: COMMAND, category: 'Workbook'});
@@ -144,7 +159,7 @@
       shared = scope;
     },
     get: async () => {
-      const names = ['apputils', 'mainmenu', 'services', 'coreutils'].map(name => `@jupyterlab/${name}`);
+      const names = ['apputils', 'mainmenu', 'notebook', 'services', 'coreutils'].map(name => `@jupyterlab/${name}`);
       return (await common).pluginWith(shared, names, plugin);
     }
   };
