@@ -46,8 +46,9 @@ def breakable(text: str) -> "Markup":
     """Escape the text, and let long names in it wrap after each `/` and `_` between two letters or digits."""
     from markupsafe import Markup, escape
 
-    escaped = str(escape(without_commands(text)))
-    return Markup(_LONG_NAME.sub(lambda name: _PLACE_TO_WRAP.sub(r"\1<wbr>", name[0]), escaped))
+    # Text without commands contains no null character, so one can mark a place until the text is escaped.
+    marked = _LONG_NAME.sub(lambda name: _PLACE_TO_WRAP.sub("\\1\0", name[0]), without_commands(text))
+    return Markup(str(escape(marked)).replace("\0", "<wbr>"))
 
 
 def render(template: str, **values: Any) -> str:

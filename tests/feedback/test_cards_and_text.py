@@ -134,6 +134,8 @@ def card_of(judgement: Judgement) -> Card:
 def test_long_names_wrap_only_after_a_slash_or_an_underscore() -> None:
     assert breakable("on /robot/joint_positions") == "on /robot/<wbr>joint_<wbr>positions"
     assert breakable("/robot/battery, __init__") == "/robot/battery, __init__", "short ones stay whole"
+    assert breakable("'/robot/battery'.") == "&#39;/robot/battery&#39;.", "an escaped character counts once"
+    assert breakable("a\0" * 10 + "/b_c") == breakable("a" * 10 + "/b_c"), "the mark can't be inserted"
     assert breakable("<i>/robot/joint_positions") == "&lt;i&gt;/robot/<wbr>joint_<wbr>positions"
 
 
