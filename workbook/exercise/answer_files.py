@@ -1,4 +1,4 @@
-"""Find the student's answer files, and save a cell to one without losing anything."""
+"""Find the student's answer files, and save a cell to one without losing the previous version."""
 
 import os
 from dataclasses import dataclass
@@ -6,11 +6,11 @@ from pathlib import Path
 
 ANSWERS = "answers"
 KEPT_VERSIONS = 50
-"""Earlier versions of one answer: enough for an afternoon of changes, at a few kilobytes each."""
+"""The most earlier versions kept of one answer: enough for an afternoon of changes, at a few kilobytes each."""
 
 
 def answers_folder() -> Path:
-    """Return the folder for answers: WORKBOOK_ANSWERS, `answers/` in the student's work folder, or `answers/` here."""
+    """Return the answers' folder: WORKBOOK_ANSWERS, or `answers/` in the student's work folder or the current one."""
     named = os.environ.get("WORKBOOK_ANSWERS")
     if named:
         return Path(named)
@@ -28,7 +28,7 @@ def answer_file(stem: str) -> Path:
 
 @dataclass(frozen=True)
 class Saved:
-    """The outcome of saving a cell: the file, and whether it was new, changed, unchanged, or refused (starter)."""
+    """The result of saving a cell. `outcome`: "new", "changed", "unchanged", or "refused" (the cell is the starter)."""
 
     path: Path
     outcome: str
@@ -36,7 +36,7 @@ class Saved:
 
 
 def same_program(one: str, other: str) -> bool:
-    """Return whether two texts differ only in trailing spaces and in blank lines at the beginning and end."""
+    """Return whether two programs differ at most in trailing spaces, and in blank lines at the beginning and end."""
     return [line.rstrip() for line in one.strip().splitlines()] == [
         line.rstrip() for line in other.strip().splitlines()
     ]
@@ -57,7 +57,7 @@ def _put_aside(path: Path) -> Path:
 def save_answer(stem: str, text: str, starter: str) -> Saved:
     """Write a cell to its answer file, and keep the previous version in `.previous/`.
 
-    A cell that still contains the starter never replaces an answer that was changed.
+    A cell that contains the unchanged starter never replaces an answer that differs from it.
     """
     path = answer_file(stem)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -83,7 +83,7 @@ def _write(path: Path, text: str) -> None:
 
 
 def replace_answer(stem: str, text: str, folder: Path | None = None) -> Saved:
-    """Replace the answer, for example with the starter or an earlier version. The current one goes to `.previous/`."""
+    """Replace an answer, for example with the starter or an earlier version. The replaced one moves to `.previous/`."""
     path = (folder or answers_folder()) / f"{stem}.py"
     path.parent.mkdir(parents=True, exist_ok=True)
     previous = _put_aside(path) if path.exists() else None

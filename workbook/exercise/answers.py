@@ -1,4 +1,4 @@
-"""Read answers as they are handed in: a program, or a notebook's answer cell."""
+"""Read answers as students hand them in: as a program, or as a notebook's answer cell."""
 
 import ast
 import hashlib
@@ -17,7 +17,7 @@ from workbook.exercise.notebook_cells import named_exercise as named_exercise
 from workbook.recording.codec import NOT_STORED
 
 LARGEST_ANSWER_BYTES = 1_000_000
-"""A hundred times the size of a long answer. A person doesn't write a larger program."""
+"""A hundred times the size of a long answer, so no student writes a larger one by hand."""
 ANSWER_MAGIC = "%%answer"
 ZERO_BYTES = (
     "the file contains null bytes, so it is not a Python program. Delete them and save the file as UTF-8"
@@ -27,14 +27,14 @@ _NUMBER = re.compile(r"(?<![\w.])\d{1,3}(?![\w.])")
 
 
 class Ungradable(ValueError):
-    """A file that can't be judged. The message gives the reason and describes the file's actual content."""
+    """Raised when a file can't be judged. The message gives the reason and describes the file's actual content."""
 
 
 @dataclass(frozen=True)
 class Answer:
     """The program in one answer, and its SHA-256.
 
-    `note`: a sentence on other content in the notebook that may have been meant as the answer.
+    `note`: a sentence on other cells of the notebook that the student may have meant as part of the answer.
     """
 
     text: str
@@ -48,7 +48,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class SyntaxMistake:
-    """Where Python stopped reading: line and column (from 1), the line's text, and Python's message."""
+    """A syntax error: its line and column (from 1), the line's text, and Python's message."""
 
     line: int
     column: int
@@ -70,7 +70,7 @@ def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
 
 
 def read_program(raw: bytes) -> str:
-    """Decode a Python file like Python does (byte order mark, coding line). Raises Ungradable."""
+    """Decode a Python file as Python does (byte order mark, coding line). Raises Ungradable if that's impossible."""
     kind = binary_kind(raw)
     if kind is not None:
         raise Ungradable(f"the file is {kind} and not a program. Hand in the program itself, as plain text")
@@ -95,9 +95,9 @@ def with_line_feeds(text: str) -> str:
 
 
 def _as_utf8(text: str) -> str:
-    """Return the program ready to be saved as UTF-8: a different encoding in its coding line is replaced.
+    """Return the program, ready to be saved as UTF-8: a coding line that names another encoding is changed.
 
-    Raises Ungradable for a lone surrogate, which can't be saved.
+    Raises Ungradable for a lone surrogate, which UTF-8 can't encode.
     """
     try:
         text.encode()
@@ -112,7 +112,10 @@ def _as_utf8(text: str) -> str:
 
 
 def answer_in_notebook(path: Path, stem: str) -> Answer:
-    """Return the program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable, OSError."""
+    """Return the program in the last cell whose first non-blank line is `%%answer STEM`.
+
+    Raises Ungradable if there is no such cell or it can't be judged, and OSError if the file is unreadable.
+    """
     found = answer_cells(path, stem)
     if "problem" in found:
         raise Ungradable(found["problem"])
@@ -136,7 +139,7 @@ def answer_in_notebook(path: Path, stem: str) -> Answer:
 
 
 def _note(found: dict[str, Any], stem: str) -> str:
-    """Return a note on other cells that look like part of the answer; empty if there are none."""
+    """Return a note on other cells that look like part of the answer, or "" if there are none."""
     *others, last = found["answers"]
     if others:
         cells = " and ".join(map(str, found["answers"]))
@@ -150,7 +153,7 @@ def _note(found: dict[str, Any], stem: str) -> str:
 
 
 def exercises_named(path: Path) -> list[str]:
-    """Return the exercises that a notebook or program names in `%%answer` lines, in order; empty if there are none."""
+    """Return the exercises named in a notebook's or program's `%%answer` lines, in order, or [] if there are none."""
     try:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return []
@@ -164,9 +167,9 @@ def exercises_named(path: Path) -> list[str]:
 
 
 def _program_in(path: Path, stem: str) -> str:
-    """Return the text of a .py file.
+    """Return the program in a .py file.
 
-    If it's a renamed notebook, or was exported from one, return the answer in it.
+    If the file is a renamed notebook, or was exported from a notebook, return that notebook's answer.
     """
     text = read_program(path.read_bytes())
     if text.lstrip().startswith("{") and re.search(r'"(cells|worksheets)"\s*:', text):
@@ -178,7 +181,8 @@ def _program_in(path: Path, stem: str) -> str:
 def read_answer(path: Path, stem: str) -> Answer:
     """Read an answer to exercise `stem` from a .py or .ipynb file.
 
-    Raises Ungradable, with a sentence for the student, if the file can't be an answer, and OSError if it's unreadable.
+    Raises Ungradable, with a sentence for the student, if the file can't be an answer, and OSError if the file is
+    unreadable.
     """
     if not path.exists() and not path.is_symlink():
         raise Ungradable(f"there is no file {path}")
@@ -218,6 +222,6 @@ def read_answer(path: Path, stem: str) -> Answer:
 
 
 def domains_named(text: str) -> frozenset[int]:
-    """Return the numbers in a program's lines about domains, any of which may become its ROS domain."""
+    """Return the numbers in all lines that contain "domain". The program may use any of them as its ROS domain."""
     lines = (line for line in text.splitlines() if "domain" in line.lower())
     return frozenset(int(number) for line in lines for number in _NUMBER.findall(line))

@@ -6,16 +6,17 @@ from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 IN_A_WHEEL = "course"
-"""The folder in the package that contains the course in a wheel. In a clone, the course surrounds the package."""
+"""In a wheel, the package's folder that contains the course. In a clone, the course surrounds the package."""
 _JUDGED_WITH = (".py", ".toml", ".pyi", ".xml", ".ini")
-"""Code, feedback texts, mypy stubs and settings, and the DDS profile.
+"""The suffixes of the files that affect a judgment.
 
-Figures and pages don't affect a judgment.
+They belong to code, feedback strings, mypy stubs and settings, and the DDS profile. Figures and pages don't affect a
+judgment.
 """
 
 
 class NoCourse(RuntimeError):
-    """The course folder wasn't found."""
+    """Raised when the course folder isn't found."""
 
 
 def is_from_wheel() -> bool:
@@ -26,8 +27,8 @@ def is_from_wheel() -> bool:
 def course_folder() -> Path:
     """Return the folder that contains `exercises/` and `solutions/`.
 
-    WORKBOOK_COURSE overrides the default: the wheel's own copy, or the clone that the package was installed from.
-    Raises NoCourse.
+    WORKBOOK_COURSE overrides the default, which is the wheel's own copy or the clone that the package was installed
+    from. Raises NoCourse if the folder has no `exercises/criteria/`.
     """
     named = os.environ.get("WORKBOOK_COURSE")
     own = _PACKAGE / IN_A_WHEEL if is_from_wheel() else _PACKAGE.parent
@@ -41,7 +42,7 @@ def course_folder() -> Path:
 
 
 def course_sha256() -> str:
-    """Return one hash of everything except the answer that affects a judgment: judge, criteria, drivers, solutions."""
+    """Return one hash of the files that affect a judgment except the answer: judge, criteria, drivers, solutions."""
     course = course_folder()
     digest = hashlib.sha256()
     folders = [course / "exercises" / "criteria", course / "exercises" / "drivers", course / "solutions"]

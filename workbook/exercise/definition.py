@@ -1,4 +1,7 @@
-"""Define an exercise from the judge's point of view: its criteria, the plan for watching, and its text."""
+"""Define an exercise as the judge uses it: its criteria, its plan, and its text.
+
+The *plan* says how long to watch a program, which endpoints to wait for, and which messages to send.
+"""
 
 import hashlib
 import importlib.util
@@ -27,14 +30,14 @@ from workbook.exercise.source import ExerciseSource, driver_of, find, load
 from workbook.recording.plan import Plan
 
 OWN_CRITERIA = "WORKBOOK_CRITERIA"
-"""The variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside the course."""
+"""The environment variable for a folder outside the course with an instructor's own criteria, `NN_slug.py`."""
 
 FIRST_SEED = 0
-"""The script's seed until a run draws another one. It makes the script's topics and services known."""
+"""The script's seed until a run draws another one, so that the script's topics and services are known before a run."""
 
 
 class BrokenCriteria(RuntimeError):
-    """An exercise's criteria can't be used. The message says why."""
+    """Raised when an exercise's criteria can't be used. The message says why."""
 
 
 def _import(path: Path) -> ModuleType:
@@ -54,13 +57,13 @@ def _import(path: Path) -> ModuleType:
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise from the judge's point of view.
+    """One exercise as the judge uses it.
 
-    `criteria` are in order, `plan` says how to watch for them, and `periods` are the judged periods (s) by topic.
-    `to_the_end`: the program's end is judged as well. `driver`: the program that calls an answer's functions, if the
-    answer isn't a program. `probes`: code that uses an answer, by name; the type checker reads it along with the
-    answer. `watching`: the settings that the plan was made from. `signed`: the topics on which only messages signed by
-    the driver count. `constants`: the criteria file's constants with uppercase names.
+    `criteria` are in order, `plan` says how to watch a program for them, and `periods` are the judged periods (s) by
+    topic. `to_the_end`: whether the way in which the program exits is judged, too. `driver`: the program that calls an
+    answer's functions, if the answer isn't a program. `probes`: snippets that use an answer, by name, which the type
+    checker checks along with the answer. `watching`: the settings that the plan was made from. `signed`: the topics on
+    which only messages signed by the driver count. `constants`: the criteria file's constants with uppercase names.
     """
 
     stem: str
@@ -143,9 +146,9 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
 
 
 def own_criteria(stem: str) -> Path | None:
-    """Return the path of the instructor's own criteria for this exercise; None if there are none.
+    """Return the path of the instructor's own criteria for this exercise, or None if there are none.
 
-    They are kept outside the course, and are always hidden.
+    These criteria are kept outside the course and are always hidden.
     """
     folder = os.environ.get(OWN_CRITERIA)
     path = Path(folder) / f"{stem}.py" if folder else None
@@ -158,7 +161,7 @@ def _words_of(criteria: Path) -> list[Path]:
 
 
 def _sum_of(files: Sequence[Path]) -> str:
-    """Return the hash of the files that affect a judgment. They include the driver, if any."""
+    """Return the hash of these files: the ones that affect a judgment, including the driver, if any."""
     digest = hashlib.sha256()
     for path in files:
         digest.update(path.read_bytes())

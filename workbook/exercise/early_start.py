@@ -1,6 +1,6 @@
 """Start an answer before importing the judge.
 
-Starting the answer and importing the judge each take a third of a second. In this order, the two overlap.
+Starting the answer and importing the judge each take a third of a second, and in this order, they overlap.
 
 This module imports nothing that needs ROS, so it can run first.
 """
@@ -26,8 +26,8 @@ def write_program(folder: Path, stem: str, answer: Answer) -> Path:
 class StartedAnswer:
     """An answer that runs on a leased domain and waits to be watched.
 
-    If an exercise is judged on the wall clock from the start, the program isn't started yet (`process` is None).
-    So the judge sees it from its first moment. Leaving the `with` block ends the program unless a judge took it over.
+    If an exercise is judged on the wall clock from the start, the program isn't started yet (`process` is None), so
+    that the judge can watch it from its start. Leaving the `with` block stops the program and releases the domain.
     """
 
     def __init__(self, source: ExerciseSource, answer: Answer) -> None:

@@ -1,4 +1,4 @@
-"""Recognize files that are named like a program but aren't one: find their kind, or the program inside."""
+"""Recognize files that are named like a program but aren't one: name their kind, or find the program inside."""
 
 import ast
 import re
@@ -39,14 +39,14 @@ _COMMAND = re.compile(r"\s*(!\s*[\w./]|%{1,2}[a-z]\w*(\s|$))")
 
 
 def binary_kind(raw: bytes) -> str | None:
-    """Return the kind of a file whose first bytes aren't text; None if it may be a program."""
+    """Return the kind of a file, judging by its first bytes, or None if the file may be a program."""
     return next((kind for start, kind in _BINARY.items() if raw.startswith(start)), None)
 
 
 def kind_of(text: str) -> str | None:
-    """Return the kind of a text that Python can't parse, as the rest of a sentence.
+    """Return the kind of a string that Python can't parse, as the end of a sentence.
 
-    The result is None if it's a program with a mistake.
+    The result is None if the string is a program with a mistake.
     """
     lines = text.split("\n")
     conflict = next((n for n, line in enumerate(lines, 1) if _CONFLICT.match(line)), None)
@@ -64,7 +64,7 @@ def kind_of(text: str) -> str | None:
 
 
 def _reads_without(lines: list[str], number: int) -> bool:
-    """Return whether the lines before this line are valid Python, so that this line is the problem."""
+    """Return whether the lines before this line are valid Python, which makes this line the problem."""
     try:
         ast.parse("\n".join([*lines[: number - 1], "pass"]))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -73,7 +73,7 @@ def _reads_without(lines: list[str], number: int) -> bool:
 
 
 def exported_answer(text: str, stem: str) -> str | None:
-    """Return the last answer to `stem` in a notebook that was exported as a script; None if there is none."""
+    """Return the last answer to `stem` in a notebook that was exported as a script, or None if there is none."""
     if _HAS_A_CELL_MAGIC not in text:
         return None
     try:

@@ -1,7 +1,9 @@
 """Decide whether a judgment is conclusive.
 
-In an inconclusive judgment, the answer may have lost points without being at fault, or earned points for a script
-that was cut short. The answer is then tried again (see `workbook.exercise.retries`).
+In an inconclusive judgment, the answer may have lost points without being at fault, or earned points although the judge
+didn't send its whole script. So the answer is judged again (see `workbook.exercise.retries`).
+
+Most functions return a suspicion as a clause for feedback, or "" if there is no reason for it.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,11 +16,11 @@ from workbook.recording.plan import Plan
 from workbook.recording.recording import Recording
 
 HELD_UP_SHARE = 0.25
-"""The longest harmless delay, as a share of a period: half of the extra gap that makes a rate fail."""
+"""The longest harmless delay, as a fraction of a period: half of the extra gap that makes a rate fail."""
 LEAST_HELD_UP_S = 0.1
-"""Shorter delays (s) of the judge are usual on any machine, and change no verdict."""
+"""Shorter delays (s) of the judge are usual on any machine and don't change a verdict."""
 RUN_QUEUE_SHARE = 0.1
-"""The share of the watch that a program may spend in the run queue, ready but without a processor."""
+"""The fraction of the watch that a program may spend in the run queue, ready but without a processor."""
 RUN_QUEUE_SHARE_ABOUT_TIME = 0.05
 """The same limit for programs that were late.
 
@@ -26,28 +28,28 @@ Measured: a correct answer that polls spent 0.6 s of 6.5 s in the run queue, in 
 late.
 """
 STEAL_SHARE = 0.15
-"""The share of the watch that a virtual machine's host may steal from a processor, in pieces of any length."""
+"""The fraction of the watch for which a virtual machine's host may take a processor away, in pieces of any length."""
 FEW_ODD_GAPS = 2
 """A single late message makes one gap too long and the next one too short."""
 END_OVERTAKEN, END_ABORTED = "exits-cleanly.overtaken", "exits-cleanly.aborted"
 EXCUSED_ENDS = frozenset({END_OVERTAKEN, END_ABORTED})
-"""Causes of points lost because of an end that rclpy or Python may have spoiled."""
+"""Causes of points lost for the program's exit, which a bug in rclpy or Python may have spoiled."""
 FLOODS = frozenset({"rate.without-a-pause", "rate.grows"})
-"""Causes that even a busy machine can't produce: it makes a program slower, never faster."""
+"""Causes that even a busy machine can't produce, because it makes a program slower, never faster."""
 BUSY_MACHINE = ".busy-machine"
-"""The suffix of causes that a busy machine alone may produce. Exercises use it where they judge milliseconds."""
+"""The suffix of causes that a busy machine alone may produce, for exercises that judge milliseconds."""
 WITH_THE_NEXT = 1.25
 """The number of periods within which a lost message arrives.
 
-DDS delivers it with the next message, which may also be late.
+DDS delivers it along with the next message, which may also be late.
 """
 
 
 @dataclass(frozen=True)
 class InconclusiveReason:
-    """The reason why a judgment may be unfair to the answer, as a sentence; empty for a conclusive judgment.
+    """The reason why a judgment may be unfair to the answer, as a clause, or "" for a conclusive judgment.
 
-    `end_only`: only the points for the program's end are inconclusive.
+    `end_only`: whether only the points for the program's exit are inconclusive.
     """
 
     reason: str = ""
@@ -63,9 +65,9 @@ def find_inconclusive_reason(
 ) -> InconclusiveReason:
     """Return the reason why the judgment is inconclusive.
 
-    A judgment without lost points is conclusive, unless the watch ended before the script did. How a program ends casts
-    no doubt on its earlier behavior. `periods`: the period (s) of each topic that has a rate. `on_simulated_time`: the
-    same program's earlier results on simulated time, if both speeds agreed.
+    A judgment without lost points is conclusive, unless the watch ended before the script did. The way in which a
+    program exits doesn't make its earlier behavior inconclusive. `periods`: the period (s) of each topic that has a
+    rate. `on_simulated_time`: the same program's earlier results in simulated time, if both speeds agreed.
     """
     lost = [
         result for result in judged if result.status in ("failed", "partial") and result.cause not in FLOODS
@@ -89,9 +91,10 @@ def find_inconclusive_reason(
 
 
 def script_cut_short(recording: Recording) -> str:
-    """Describe the part of the script that was never sent; return "" if the missing part doesn't matter.
+    """Describe the part of the script that was never sent, or return "" if the missing part doesn't matter.
 
-    A program doesn't get credit for input that it never received. One that ended by itself is judged by its end.
+    A program doesn't get credit for input that it never received. But a program that exited by itself is judged by its
+    exit.
     """
     if recording.unpublished and _was_alive_throughout(recording):
         left = len(recording.unpublished)
@@ -101,9 +104,9 @@ def script_cut_short(recording: Recording) -> str:
 
 
 def _end_spoiled(lost: Sequence[CriterionResult], recording: Recording) -> str:
-    """Return why something other than the program may have spoiled its end, as a sentence; empty if nothing did.
+    """Return why something other than the program may have spoiled its exit, or "" if nothing did.
 
-    `lost`: the failed criteria about the end.
+    `lost`: the failed criteria about the exit.
     """
     return (
         crashed_on_interrupt(recording)
@@ -118,7 +121,7 @@ def _was_alive_throughout(recording: Recording) -> bool:
 
 
 def _node_never_discovered(recording: Recording) -> str:
-    """Return why discovery may have failed: a program with open DDS ports on our domain has a node, but we saw none."""
+    """Suspect failed discovery if the program had DDS ports open on our domain, but we never saw its node there."""
     here = recording.domain_id in recording.process.domains_used
     if here and _was_alive_throughout(recording) and not recording.nodes and not recording.with_publishers():
         return f"the program was on domain {recording.domain_id}, but its node was never seen there"
@@ -137,11 +140,11 @@ def _publisher_never_matched(recording: Recording, plan: Plan) -> str:
 
 
 def crashed_on_interrupt(recording: Recording) -> str:
-    """Return why rclpy's own crash at Ctrl-C may have cost points, as a sentence; empty if there was no such crash.
+    """Return why rclpy's own crash on Ctrl-C may have cost points, or "" if there was no such crash.
 
-    rclpy's signal thread walks a list of guard conditions while its shutdown frees them, because neither waits for the
-    other. On a busy machine, the thread may lose the processor partway, so that a correct program crashes with SIGSEGV.
-    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/signal_handler.cpp
+    rclpy's signal thread walks a list of guard conditions while rclpy's shutdown frees them, because neither waits for
+    the other. If the thread loses the processor partway, as it may on a busy machine, even a correct program crashes
+    with SIGSEGV. Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/signal_handler.cpp
     (trigger_guard_conditions and unregister_sigint_guard_condition); measured by holding up the thread at that point.
     """
     process = recording.process
@@ -151,9 +154,9 @@ def crashed_on_interrupt(recording: Recording) -> str:
 
 
 def _end_overtaken(lost: Sequence[CriterionResult]) -> str:
-    """Return why rclpy's shutdown may have overtaken the program's end.
+    """Return why rclpy may have shut down before the program did so itself.
 
-    Any program can print the text by which we recognize this: see `shutdown_overtaken`.
+    Any program can print the error message by which we recognize this: see `shutdown_overtaken`.
     """
     if any(result.cause == END_OVERTAKEN for result in lost):
         return "it looks as if rclpy's own Ctrl-C handler shut the context down before the program did"
@@ -163,8 +166,9 @@ def _end_overtaken(lost: Sequence[CriterionResult]) -> str:
 def _end_aborted(lost: Sequence[CriterionResult]) -> str:
     """Return why the process may have aborted with a thread still spinning while Python was shutting down.
 
-    If Ctrl-C interrupts `Thread.join()`, Python up to 3.12 assumes that the thread has ended, so the next join returns
-    right away. Source: `_wait_for_tstate_lock` in https://github.com/python/cpython/blob/3.11/Lib/threading.py.
+    If Ctrl-C interrupts `Thread.join()`, Python up to 3.12 assumes that the thread has finished. The next `join` then
+    returns right away, although the thread is still spinning. Source: `_wait_for_tstate_lock` in
+    https://github.com/python/cpython/blob/3.11/Lib/threading.py.
     """
     if any(result.cause == END_ABORTED for result in lost):
         return "the program aborted at its end, which can happen in Python if Ctrl-C interrupts Thread.join()"
@@ -172,9 +176,10 @@ def _end_aborted(lost: Sequence[CriterionResult]) -> str:
 
 
 def _node_seen_after_exit(recording: Recording) -> str:
-    """Return the reason why a node may seem to outlive its program; empty if none does.
+    """Return why a node may seem to outlive its program, or "" if none does.
 
-    A participant announces its departure only once. If that message is lost on a busy machine, DDS doesn't resend it.
+    A participant announces its departure only once. If that message is lost on a busy machine, DDS doesn't resend it,
+    so the node stays in our graph.
     """
     process = recording.process
     if process.ended_by == "judge" and process.exit is not None:
@@ -213,9 +218,9 @@ def _judge_was_delayed(lost: Sequence[CriterionResult], recording: Recording, pl
 
 
 def _program_was_starved(lost: Sequence[CriterionResult], recording: Recording) -> str:
-    """Return why a lack of CPU time may have cost points: a program that waits in the run queue does everything late.
+    """Return why a lack of CPU time may have cost points: while a program waits in the run queue, it falls behind.
 
-    This doesn't apply to a program that ended with an error, because then the error cost the points.
+    This doesn't apply to a program that exited with an error, because then the error cost the points.
     """
     if recording.process.ended_by == "itself" and recording.process.exit:
         return ""
@@ -230,24 +235,24 @@ def _program_was_starved(lost: Sequence[CriterionResult], recording: Recording) 
 
 
 def _busy_machine_to_blame(lost: Sequence[CriterionResult]) -> str:
-    """Return why the machine may be to blame: according to a criterion, even a correct program could be this late."""
+    """Return why the machine may be to blame, if a criterion found a delay that even a correct program may have."""
     if any((result.cause or "").endswith(BUSY_MACHINE) for result in lost):
         return "this machine was so busy that even a correct program may be late by a few milliseconds"
     return ""
 
 
 def _kept_waiting_s(recording: Recording) -> float:
-    """Return the longest time (s) that the machine can have kept judge and program waiting: the sum of all delays."""
+    """Return the longest time, in seconds, that the machine may have delayed judge and program: all delays together."""
     return recording.held_up_s + recording.stood_still_s + recording.taken_s + recording.in_line_s
 
 
 def _one_message_was_late(
     lost: Sequence[CriterionResult], recording: Recording, periods: Mapping[str, float]
 ) -> str:
-    """Return why one late message may be the machine's fault: the publisher, or the message, may have had to wait.
+    """Return why one late message may be the machine's fault, because its publisher or the message itself had to wait.
 
-    A message that DDS lost arrives together with the next message. If a pause is longer than the time for which the
-    machine kept the program waiting, the program itself caused it. Without a required rate, no message counts as late.
+    A lost message arrives together with the next one. A pause that's longer than that and longer than the machine's
+    delays is the program's own. Without a required rate, no message counts as late.
     """
     if recording.clock != "wall" or not any(result.about_time for result in lost):
         return ""

@@ -1,8 +1,8 @@
-"""Fill the judge's numbers into a task's text, so that the task can't state a different tolerance.
+"""Fill the judge's numbers into a task, so that the task can't state a different tolerance than the judge applies.
 
-`{{AT_ONCE_S}}` is a constant in the exercise's criteria file, `{{rates.MEAN_TOLERANCE}}` is one in a vocabulary
-module, and `{{plan.simulated_s}}` is a field of the plan. `{{TYPICALLY_S.0}}` is the first of several numbers.
-`{{LEAST_SHARE %}}` is written as a percentage, such as "80 %".
+`{{AT_ONCE_S}}` is a constant in the exercise's criteria file, `{{rates.MEAN_TOLERANCE}}` is one in a vocabulary module,
+and `{{plan.simulated_s}}` is a field of the plan. `{{TYPICALLY_S.0}}` is the first of several numbers. With a percent
+sign, as in `{{LEAST_SHARE %}}`, the number becomes a percentage, such as "80 %".
 """
 
 import re

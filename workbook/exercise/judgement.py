@@ -1,4 +1,4 @@
-"""Define the judgment of one answer. Judging a stored recording runs no program and needs no ROS."""
+"""Define the judgment of one answer. Judging a stored recording doesn't run a program and doesn't need ROS."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -16,9 +16,10 @@ JudgementStatus = Literal["graded", "ungradable", "infra_error"]
 class Judgement:
     """The result for one answer.
 
-    `provisional`: a later judgment, on the wall clock or in another try, may differ.
-    `inconclusive_reason`: why the answer may have lost points without being at fault; empty for a conclusive judgment.
-    `end_only`: only the points for the program's end are inconclusive.
+    `provisional`: whether a later judgment, on the wall clock or in another try, may replace this one.
+    `inconclusive_reason`: why the judgment may be unfair to the answer (see `inconclusive`), or "" for a conclusive
+    judgment. `end_only`: whether only the points for the program's exit are inconclusive. `watched_real_life`: whether
+    the program was also watched in real time.
     """
 
     stem: str
@@ -34,14 +35,14 @@ class Judgement:
 
     @property
     def score(self) -> float | None:
-        """The points earned, including hidden criteria; None if the answer couldn't be judged."""
+        """The points earned, including hidden criteria, or None if the answer couldn't be judged."""
         if self.status != "graded":
             return None
         return round(sum(result.points for result in self.criteria), 6)
 
     @property
     def is_inconclusive(self) -> bool:
-        """Whether the machine or the judge may have cost points, and not only at the program's end."""
+        """Whether the machine or the judge may have cost points other than those for the program's exit."""
         return bool(self.inconclusive_reason) and not self.end_only
 
     @property

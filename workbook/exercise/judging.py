@@ -1,7 +1,7 @@
-"""Turn an answer into a judgment: run it, record it, judge the recording.
+"""Judge an answer: run it, record what it does, and judge the recording.
 
-The student's check and the instructor's grading both use `judge`. `phases` defines the phases of judging a program,
-and `two_runs` combines the results of two runs.
+The student's check and the instructor's grading both use `Judge.judge`. The module `phases` defines the phases of
+judging a program, and `two_runs` combines the results of two runs.
 """
 
 import secrets
@@ -23,7 +23,7 @@ SEED_BITS = 32
 
 
 def _to_nobody(judgement: Judgement) -> None:
-    """Ignore a judgment, for callers that want no reports."""
+    """Ignore a judgment, for callers that don't want reports."""
 
 
 class Judge:
@@ -46,11 +46,11 @@ class Judge:
     ) -> Judgement:
         """Judge one answer.
 
-        `soak`: start a program that was judged on simulated time again, and watch it for eight real seconds, unless
-        `cancel_soak` cuts this watch short. The program must behave as before. A program on the wall clock isn't
-        started again, but kept running for eight seconds. `report` receives each judgment before the final one.
-        `started`: this answer, if it's already running on the observer's domain. `seed`: the script's seed, for
-        repeating a run; None draws a new seed.
+        `soak`: after a judgment in simulated time, start the program again and watch it for eight real seconds, unless
+        `cancel_soak` returns True. The program must behave as before. A program that was judged on the wall clock isn't
+        started again but keeps running until the eight seconds are over. `report` receives each judgment before the
+        final one. `started`: this answer, if it's already running on the observer's domain. `seed`: the script's seed,
+        for repeating a run; None draws a new seed.
         """
         exercise = exercise.drawn(secrets.randbits(SEED_BITS) if seed is None else seed)
         if started is None:

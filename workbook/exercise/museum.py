@@ -1,6 +1,6 @@
-"""The error museum: the mistakes in each lesson, with their causes and fixes, and each lesson's terms.
+"""Load the error museum: the mistakes of each lesson, with their causes and fixes, and each lesson's terms.
 
-Its data is in `notebooks/sources/museum/NN_slug.toml`, one file per lesson. Pages and feedback are made from it.
+Each lesson has a file `notebooks/sources/museum/NN_slug.toml`. Web pages and feedback are generated from these files.
 """
 
 import tomllib
@@ -9,18 +9,19 @@ from pathlib import Path
 from typing import Any
 
 SHORTEST_SYMPTOM_TEXT = 12
-"""In characters. A shorter text occurs in too many outputs to identify an error."""
+"""In characters. A shorter string occurs in too many outputs to identify an error."""
 
 
 class BrokenMuseum(ValueError):
-    """A museum file can't be used. The message says where and why."""
+    """Raised when a museum file can't be used. The message says where and why."""
 
 
 @dataclass(frozen=True)
 class Exhibit:
-    """One mistake: its `symptom` for a student, and `shows`, the output of the cell `cell` in `lesson`.
+    """One mistake.
 
-    `numbers`: the entries in the list of beginners' mistakes that it covers.
+    `symptom`: the mistake as a student sees it. `shows`: a part of the output of the cell `cell` in `lesson`.
+    `numbers`: the entries that this exhibit covers in the list of beginners' mistakes.
     """
 
     lesson: str
@@ -49,7 +50,7 @@ class Museum:
     terms: tuple[Term, ...]
 
     def exhibit_for(self, text: str) -> Exhibit | None:
-        """Return the exhibit whose `shows` occurs in `text`; the longest match wins. None if there is no match."""
+        """Return the exhibit whose `shows` occurs in `text` (the longest match wins), or None if there is no match."""
         fits = [one for one in self.exhibits if len(one.shows) >= SHORTEST_SYMPTOM_TEXT and one.shows in text]
         return max(fits, key=lambda one: len(one.shows), default=None)
 

@@ -1,7 +1,7 @@
-"""Read a notebook's answer cells, even if the notebook is crafted to exhaust its reader's memory.
+"""Read a notebook's answer cells safely, even if the notebook is crafted to exhaust memory.
 
-A large notebook is read in a separate process with limited memory and time. That process runs this file, so it
-imports only the standard library.
+A large notebook is read in a separate process with limited memory and time. That process runs this file, which
+therefore imports only the standard library.
 
     python -I -S notebook_cells.py STEM < notebook.ipynb
 
@@ -20,14 +20,17 @@ from pathlib import Path
 from typing import Any
 
 SMALL_BYTES = 1_000_000
-"""Notebooks up to this size are read without a separate process, in at most about 50 ms and 60 MB."""
+"""Notebooks up to this size are read without a separate process, which takes at most about 50 ms and 60 MB."""
 LARGEST_NOTEBOOK_BYTES = 50_000_000
-"""Figures in its outputs can make a notebook several megabytes large."""
+"""Far more than a real notebook has: figures in its outputs can make it several megabytes large."""
 MEMORY_BYTES = 500_000_000
 CPU_S = 5
 PATIENCE_S = 120.0
 MOST_PARTS = 2_000_000
-"""Objects and lists in a notebook's JSON. A file of nothing but brackets needs thirty times its size in memory."""
+"""The most objects and lists in a notebook's JSON.
+
+Reading a file that consists only of brackets takes thirty times its size in memory.
+"""
 LONGEST_TEXT = 1_000_001
 """The number of characters kept from an answer: one more than the limit, so that a longer answer is still refused."""
 MOST_NAMES = 50
@@ -62,7 +65,7 @@ def means(name: str, stem: str) -> bool:
 
 
 def answer_cells(path: Path, stem: str = "") -> dict[str, Any]:
-    """Return this program's output for the notebook at `path`. Raises OSError."""
+    """Return this program's output for the notebook at `path`. Raises OSError if the file is unreadable."""
     with path.open("rb") as file:
         if path.stat().st_size <= SMALL_BYTES:
             return cells_of(file.read(SMALL_BYTES), stem)
@@ -120,12 +123,12 @@ def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
 
 
 def _looks_like_code(text: str) -> bool:
-    """Return whether a cell may be part of a program: it isn't a magic, and it contains more than a displayed value."""
+    """Return whether a cell may be part of a program: it isn't a magic, and it does more than display a value."""
     return not text.lstrip().startswith(("%", "!")) and bool(_CODE.search(text[:LONGEST_TEXT]))
 
 
 def _why_no_json(raw: bytes) -> str:
-    """Return what's wrong with a file that should be a notebook but isn't JSON."""
+    """Return the problem with a file that should be a notebook but isn't JSON."""
     start = raw.lstrip(b"\xef\xbb\xbf \t\r\n")[:200]
     conflict = next((n for n, line in enumerate(raw.split(b"\n"), 1) if line.startswith(b"<<<<<<< ")), None)
     if not start:
@@ -142,7 +145,7 @@ def _why_no_json(raw: bytes) -> str:
 
 
 def _why_no_notebook(found: Any) -> str | None:
-    """Return the problem with JSON that should be a notebook; None if there is none."""
+    """Return the problem with JSON that should be a notebook, or None if there is none."""
     if not isinstance(found, dict):
         return "the file contains other data, not a notebook"
     if "worksheets" in found:
@@ -155,7 +158,7 @@ def _why_no_notebook(found: Any) -> str | None:
 
 
 def _near_miss(text: str, kind: str) -> str | None:
-    """Describe the first line in a cell that resembles a `%%answer` line; None if there is no such line."""
+    """Describe the first line in a cell that resembles a `%%answer` line, or None if there is no such line."""
     for place, line in enumerate(text[:LONGEST_TEXT].split("\n")[:MOST_LINES], start=1):
         found = _NEAR_LINE.match(line[:200])
         word = found["word"].casefold() if found else ""

@@ -1,4 +1,4 @@
-"""Read a percent script: its cells, which begin with ``# %% [kind]``, and each line's number."""
+"""Read a percent script, a Python file whose cells begin with ``# %% [kind]``. Errors name the line."""
 
 import re
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Line = tuple[int, str]
 
 
 class SourceError(ValueError):
-    """An exercise source can't be used. The message begins with ``file:line``."""
+    """Raised when an exercise source can't be used. The message begins with ``file:line``."""
 
     def __init__(self, path: Path | str, line: int, problem: str) -> None:
         super().__init__(f"{path}:{line}: {problem}")
@@ -68,7 +68,7 @@ def trimmed(body: Sequence[Line]) -> list[Line]:
 
 
 def uncommented(path: Path, cell: SourceCell) -> str:
-    """Return the text of a cell whose lines are commented out. Raises SourceError for a line that isn't."""
+    """Return the content of a commented-out cell. Raises SourceError for a line that isn't a comment."""
     lines = []
     for number, text in trimmed(cell.body):
         if text.strip() and not text.startswith("#"):
@@ -78,7 +78,7 @@ def uncommented(path: Path, cell: SourceCell) -> str:
 
 
 def markdown(path: Path, cell: SourceCell) -> str:
-    """Return the text of a commented-out cell. Raises SourceError if it's empty or not commented out."""
+    """Return the content of a commented-out cell. Raises SourceError if the cell is empty or not commented out."""
     text = uncommented(path, cell)
     if not text.strip():
         raise SourceError(path, cell.line, f"this [{cell.kind}] cell is empty")

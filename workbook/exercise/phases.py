@@ -1,9 +1,9 @@
 """Define the phases of judging a program.
 
-Each phase is one watch, which leads to a judgment or to the next phase.
+Each phase is one *watch*: it runs the program, records it, and leads to a judgment or to the next phase.
 
 `SimulatedTime` leads to `WallClock` if it can't judge a program, and to a `SecondStart` in real time if it can. An
-exercise that can't be judged on simulated time at all begins with `WallClock`. `FieldChecks` comes last, if a message
+exercise that can't be judged in simulated time at all begins with `WallClock`. `FieldChecks` comes last, if a message
 is garbled.
 """
 
@@ -37,7 +37,7 @@ FIELD_CHECKS_PERIODS = 1.5
 
 
 def never() -> bool:
-    """Return False: nothing cuts this watch short."""
+    """Return False. Used as `cancel_soak` for a watch that can't be cut short."""
     return False
 
 
@@ -58,7 +58,10 @@ class JudgingRequest:
         return judge_recording(self.exercise, self.answer.sha256, recording, real_life=real_life)
 
     def observed(self, watch: Watch, cancel_soak: Callable[[], bool] = never) -> Judgement:
-        """Watch as planned and judge the recording. If the end is judged, end the program first."""
+        """Watch the program as planned, and judge the recording.
+
+        If the exercise judges the program's exit, stop the program before judging.
+        """
         text = self.answer.text
         recording = replace(
             watch.observe(cancel_soak),
@@ -71,7 +74,7 @@ class JudgingRequest:
         return self.judged(recording, real_life=self.exercise.to_the_end and recording.clock == "wall")
 
     def ended(self, watch: Watch, judgement: Judgement) -> Judgement:
-        """End the program unless it has already ended. In a soak on the wall clock, first let it run in real time."""
+        """Stop the program unless it has already exited. In a soak on the wall clock, let it keep running first."""
         recording, lived = judgement.recording, False
         assert recording is not None
         if self.exercise.to_the_end:
@@ -84,7 +87,7 @@ class JudgingRequest:
         return self.judged(recording, real_life=lived or recording.clock == "wall")
 
     def concluded(self, judgement: Judgement) -> "JudgingPhase | Judgement":
-        """Return the final judgment, or the field checks as the next phase if it needs their messages."""
+        """Return the final judgment, or the field checks as the next phase if a criterion needs their error."""
         if any(result.recheck_fields for result in judgement.criteria):
             return FieldChecks(self, judgement)
         return judgement
@@ -106,7 +109,7 @@ class JudgingPhase(Protocol):
 
 @dataclass(frozen=True)
 class SimulatedTime:
-    """A normal run of the program, which is switched to simulated time."""
+    """A normal run of the program, which the judge switches to simulated time."""
 
     case: JudgingRequest
 
@@ -117,7 +120,7 @@ class SimulatedTime:
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
         """Judge the program in simulated time.
 
-        If simulated time proves nothing, return the wall clock as the next phase.
+        If simulated time doesn't prove anything, return the wall clock as the next phase.
         """
         case = self.case
         judgement = case.observed(watch)
@@ -162,7 +165,7 @@ class SecondStart:
     on_simulated: Judgement
 
     def watched(self) -> Watched:
-        """Return the program and a plan to watch it in real time for at least eight seconds, until the script ends."""
+        """Return the program and a plan to watch it in real time until the script ends, for at least eight seconds."""
         return self.case.spec, plan_of_second_start(self.case.exercise, self.on_simulated), "wall"
 
     def follow(self, watch: Watch) -> JudgingPhase | Judgement:
@@ -176,7 +179,10 @@ class SecondStart:
 
 @dataclass(frozen=True)
 class FieldChecks:
-    """A short run of the program with field checks enabled. Their messages are added to the recording's notes."""
+    """A short run of the program with field checks, which make message classes reject values of the wrong type.
+
+    The resulting error is added to the recording's notes.
+    """
 
     case: JudgingRequest
     judgement: Judgement
@@ -189,7 +195,7 @@ class FieldChecks:
         return replace(self.case.spec, check_fields=True), plan, self._recording.clock
 
     def follow(self, watch: Watch) -> Judgement:
-        """Judge the recording again, this time with the field checks' messages in its notes.
+        """Judge the recording again, this time with the field checks' error in its notes.
 
         This doesn't change whether the judgment is conclusive.
         """

@@ -1,9 +1,9 @@
-"""Provide a pytest plugin: one test per criterion, for an answer or a stored recording.
+"""Provide a pytest plugin that turns each criterion into a test, for an answer or a stored recording.
 
     pytest exercises/criteria/09_joint_positions.py --answer my_answer.py
     pytest exercises/criteria/09_joint_positions.py --recording recording.json
 
-Grading uses the very same functions; pytest only runs them and shows the results.
+Grading uses the same functions; pytest only runs them and shows the results.
 """
 
 from collections.abc import Iterator
@@ -39,7 +39,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "CriteriaF
 
 
 class CriteriaFile(pytest.File):
-    """A criteria file. Its tests are the criteria."""
+    """A criteria file, in which each criterion is a test."""
 
     def collect(self) -> Iterator["CriterionItem"]:
         """Yield one item per criterion of the exercise."""
@@ -61,7 +61,7 @@ class CriteriaFile(pytest.File):
 
     @cached_property
     def _judgement(self) -> "Judgement":
-        """The judgment that counts for the answer or recording. It's made once, however many tests use it."""
+        """The judgment that counts for the answer or recording. It's computed once for all tests."""
         from workbook.exercise.answers import read_answer
         from workbook.exercise.definition import load_exercise
         from workbook.exercise.judgement import judge_recording
@@ -82,14 +82,14 @@ class CriteriaFile(pytest.File):
 
 
 class CriterionFailed(AssertionError):
-    """A criterion that isn't met. The message is the feedback, with the cause id."""
+    """Raised when a criterion doesn't pass. The message is the feedback, with the cause id."""
 
 
 class CriterionItem(pytest.Item):
     """One criterion as a test."""
 
     def runtest(self) -> None:
-        """Pass, skip, or fail as the criterion did."""
+        """Pass, skip, or fail this test as the criterion did."""
         assert isinstance(self.parent, CriteriaFile)
         result = self.parent.result(self.name)
         if result.status == "skipped":
@@ -101,7 +101,7 @@ class CriterionItem(pytest.Item):
             )
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> str:
-        """Return a failed criterion's feedback. Other exceptions are shown as usual in pytest."""
+        """Return a failed criterion's feedback. For any other exception, return pytest's usual report."""
         if isinstance(excinfo.value, CriterionFailed):
             return str(excinfo.value)
         return str(super().repr_failure(excinfo, style))

@@ -2,13 +2,13 @@
 
 - A conclusive try ends the series. There are at most three tries.
 - An inconclusive try, in which the machine or the judge may have cost points, doesn't count.
-- If the other tries differ in what the program published, the lowest counts. If they differ only in how the program
-  ended, the best counts, because a bug in rclpy or Python may have spoiled the other ends.
+- If the other tries differ in the points for what the program published, the lowest counts. If they differ only in the
+  points for how the program exited, the best counts, because a bug in rclpy or Python may have spoiled the other exits.
 - If all tries were inconclusive but gave the same result, that's no coincidence, so the last one counts. If they
-  differ, the answer has no score: our own fault never becomes a student's zero.
+  differ, the answer has no score, because our own fault must never become a student's zero.
 
-`%check` and `workbook check` differ from `workbook grade` in one way. If no try counts, they show the last one that
-was judged, and why it's inconclusive (`until_sure`).
+`%check` and `workbook check` differ from `workbook grade` in one way. If no try counts, they show the last one that was
+judged, and why it's inconclusive (`until_sure`).
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -27,8 +27,8 @@ JudgeAll = Callable[[Sequence[Job]], Iterator[tuple[Job, Judgement]]]
 class Counting:
     """The judgment that counts among some tries, and why, as a sentence.
 
-    `number`: the index of the try that counts (the first try has index 0); None if no try counts. The sentence is empty
-    for a single try.
+    `number`: the index of the try that counts (the first try has index 0), or None if no try counts. The sentence is
+    empty for a single try.
     """
 
     judgement: Judgement
@@ -39,10 +39,11 @@ class Counting:
 def judge_until_sure(
     jobs: Sequence[Job], judge: JudgeAll[Job]
 ) -> Iterator[tuple[Job, tuple[Judgement, ...]]]:
-    """Judge all answers. Yield each one with its tries as soon as it's done.
+    """Judge all answers. Yield each job with its tries as soon as no other try is needed.
 
-    An answer whose judgment is inconclusive is tried again after all others, when the machine is less busy. If the run
-    is stopped before an answer's last try, that answer isn't yielded, so the next run judges it from the start.
+    An answer whose judgment is inconclusive is tried again after all others, when the machine is less busy. If the
+    instructor stops the run before an answer's last try, that answer isn't yielded, so the next run judges it from the
+    start.
     """
     waiting = list(jobs)
     before: dict[int, tuple[Judgement, ...]] = {}
@@ -125,9 +126,10 @@ def what_counts(tries: Sequence[Judgement]) -> Counting:
 
 
 def _needs_another(tries: Sequence[Judgement]) -> bool:
-    """Return whether another try is needed, because the last one decided nothing.
+    """Return whether another try is needed, because the last one didn't decide anything.
 
-    If the first try couldn't be judged at all, no other try follows, because judging has been attempted often enough.
+    If the first try couldn't be judged at all, no other try follows, because the judge has already made enough
+    attempts.
     """
     failed_later = len(tries) > 1 and tries[-1].status == "infra_error"
     return len(tries) < MOST_TRIES and (bool(tries[-1].inconclusive_reason) or failed_later)
@@ -154,10 +156,10 @@ def _of_inconclusive(tries: Sequence[Judgement]) -> Counting:
 
 
 def _published(judgement: Judgement) -> float:
-    """Return the points, not counting those for how the program ends."""
+    """Return the points, except those for how the program exits."""
     return round(sum(one.points for one in judgement.criteria if not one.about_end), 6)
 
 
 def _parts(judgement: Judgement, *, at_end: bool = True) -> tuple[tuple[str, float], ...]:
-    """Return the points by criterion. `at_end`: include the criteria about the program's end."""
+    """Return the points by criterion. `at_end`: whether to include the criteria about the program's exit."""
     return tuple((one.id, one.points) for one in judgement.criteria if at_end or not one.about_end)

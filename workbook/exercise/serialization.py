@@ -1,4 +1,8 @@
-"""Convert judgments to JSON and back. A slot sends them to its owner, and farm machines send them to each other."""
+"""Convert judgments to JSON and back.
+
+Slots (the warm processes that judge) send judgments to the process that started them, and the machines of a farm send
+judgments to each other.
+"""
 
 from typing import Any, NoReturn
 
@@ -7,13 +11,13 @@ from workbook.recording.codec import Malformed, decode, encode
 
 
 def judgement_to_json(judgement: Judgement) -> dict[str, Any]:
-    """Return a judgment as plain data for `json`."""
+    """Convert a judgment to plain data for `json`."""
     data: dict[str, Any] = encode(judgement)
     return data
 
 
 def judgement_from_json(data: object) -> Judgement:
-    """Return the judgment that `judgement_to_json` converted. Raises Malformed, which is a ValueError."""
+    """Convert `judgement_to_json`'s output back to a judgment. Raises Malformed (a ValueError) for other data."""
     return decode(Judgement, data)
 
 

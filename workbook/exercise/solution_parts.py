@@ -42,7 +42,10 @@ def split_answer(lines: Sequence[Line], path: Path | str = "answer") -> tuple[li
 
 
 def _out_of_order(marker: str, state: str, opened: int) -> str:
-    """Return the problem with this marker here; empty if there is none. `opened`: the line of the open [solution]."""
+    """Return the problem with a marker at this place, or "" if there is none.
+
+    `opened`: the line of the [solution] marker that's still open.
+    """
     if marker not in ("solution", "starter", "end"):
         return f"unknown marker [{marker}]: there are [solution], [starter] and [end]"
     if marker == "solution" and state != "outside":

@@ -1,4 +1,4 @@
-"""Read ``solutions/NN_slug.py``: one percent script that contains an entire exercise.
+"""Read ``solutions/NN_slug.py``, a percent script that contains an entire exercise.
 
 The whole file is a runnable program, the reference answer. Its comments contain everything else::
 
@@ -18,7 +18,7 @@ The whole file is a runnable program, the reference answer. Its comments contain
     # %% [hint]          three times: nudge, pointer, sketch
     # %% [alternatives]  other good solutions, compared
 
-In the answer, each part that the student writes is marked, and may be followed by the lines that replace it::
+In the answer, each part that the student writes is marked. The lines that replace it in the starter may follow::
 
         # [solution]
         self.pub = self.create_publisher(String, '/robot/status', 10)
@@ -44,20 +44,20 @@ from workbook.exercise.source_header import split_header, typed_fields
 
 STEM = re.compile(r"(?P<number>\d\d)_(?P<slug>[a-z][a-z0-9_]*)")
 DEEPER = "_deeper"
-"""The stem's ending for an optional notebook that goes deeper than its lesson, such as `01_the_context_deeper`."""
+"""The end of the stem of an optional notebook that goes deeper than its lesson, such as `01_the_context_deeper`."""
 HINT_NAMES = ("nudge", "pointer", "sketch")
 DEFAULT_LIVE = "%start"
 
 
 class UnknownExercise(LookupError):
-    """No exercise has this name. The message lists those that exist."""
+    """Raised when no exercise has this name. The message lists the existing exercises."""
 
 
 @dataclass(frozen=True)
 class ExerciseSource:
     """One exercise as its author wrote it.
 
-    Texts are Markdown or Python code without a final newline, except that the two programs end with one.
+    Strings are Markdown or Python code without a final newline, except that the two programs end with one.
     """
 
     path: Path
@@ -120,7 +120,7 @@ def load(path: Path | str) -> ExerciseSource:
 
 
 def driver_of(solution: Path) -> Path | None:
-    """Return the program that calls the functions of an answer to this exercise.
+    """Return the path of the driver: the program that calls the functions of an answer to this exercise.
 
     The result is None if the answer itself is a program.
     """
@@ -129,7 +129,7 @@ def driver_of(solution: Path) -> Path | None:
 
 
 def partner_of(solution: Path) -> Path | None:
-    """Return the program that runs next to a started answer to this exercise; None if there is none."""
+    """Return the path of the partner: the program that runs along with a started answer, or None if there is none."""
     partner = solution.parent.parent / "exercises" / "partners" / solution.name
     return partner if partner.is_file() else None
 
@@ -167,7 +167,7 @@ def _answer_cell(path: Path, cells: list[SourceCell]) -> SourceCell:
 
 
 def _programs(path: Path, answer: SourceCell, *, has_solution: bool) -> tuple[str, str]:
-    """Return the solution and the starter."""
+    """Return the solution and the starter, both of which must be valid Python."""
     solution, starter = split_answer(trimmed(answer.body), path)
     _must_parse(path, "solution", solution, answer.line)
     _must_parse(path, "starter", starter, answer.line)

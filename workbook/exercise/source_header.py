@@ -14,7 +14,10 @@ FIELDS = (
     "exercise", "title", "minutes", "difficulty", "kind", "clock", "objectives", "out_of_scope",
 )  # fmt: skip
 SOLUTION, LEFT_OUT = "solution", "left out"
-"""A field and its only value: this edition of the course lacks the solution, so the answer is the starter."""
+"""A header field and its only value.
+
+It says that this edition of the course contains the starter instead of the solution.
+"""
 
 Header = dict[str, tuple[int, Any]]
 """Maps each field to its line number and value."""

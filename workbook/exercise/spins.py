@@ -1,4 +1,7 @@
-"""Find the spins in a program's source. They help explain why a node is silent, but they are never a verdict."""
+"""Find the calls in a program's source that spin a node.
+
+They help explain why a node is silent, but they never cost points: only the recording decides.
+"""
 
 import ast
 from collections.abc import Iterator, Sequence
@@ -16,11 +19,11 @@ CREATES = frozenset(
 )
 RATE, SLEEP = "create_rate", "sleep"
 MANY_THREADS = "MultiThreadedExecutor"
-"""The executor whose other threads run a rate's timer while a callback waits for the rate."""
+"""The executor in which another thread can run a rate's timer while a callback waits for the rate."""
 OTHER_THREADS = frozenset(
     {MANY_THREADS, "Thread", "ThreadPoolExecutor", "run_in_executor", "to_thread", "Process"}
 )
-"""If the program uses one of these, something may spin while the main thread waits."""
+"""If the program uses one of these names, another thread or process may spin while the main thread waits."""
 GROUPS = frozenset({"MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"})
 LONGEST_CODE = 60
 Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
@@ -36,9 +39,9 @@ def spins_in(text: str) -> tuple[SpinSeen, ...]:
 
 
 def spins_in_a_callback(text: str) -> bool:
-    """Return whether a callback spins, in which case simulated time would prove nothing.
+    """Return whether a callback spins, in which case simulated time wouldn't prove anything.
 
-    Simulated time waits for the program to become idle, which never happens if a callback spins.
+    The simulated clock waits for the program to become idle, which never happens while a callback spins.
     """
     return any(one.callback and not one.waits for one in spins_in(text))
 
@@ -55,7 +58,7 @@ def repeated_init(text: str) -> int:
 
 
 class _Spins:
-    """Analyzes one program."""
+    """The analysis of one program's syntax tree."""
 
     def __init__(self, tree: ast.Module) -> None:
         self._tree = tree
@@ -111,7 +114,10 @@ class _Spins:
                 yield SpinSeen(call.lineno, _code(call), callback=name, waits="rate")
 
     def _waits_for_futures(self) -> Iterator[SpinSeen]:
-        """Yield the awaits in async callbacks, if all of a node's callbacks are in its default group."""
+        """Yield the first `await` in each async callback, unless the program names a callback group.
+
+        In a node's default group, no other callback can run in the meantime to complete the future.
+        """
         if self._named & GROUPS:
             return
         for name, callback in dict(self._callbacks()).items():
@@ -128,7 +134,7 @@ class _Spins:
         return _called(rate) == RATE if isinstance(rate, ast.Call) else _name(rate) in self._rates
 
     def _called_in_callbacks(self) -> Iterator[tuple[str, ast.Call]]:
-        """Yield each call that callbacks make, once, with the name of the first callback that makes it."""
+        """Yield each call that callbacks make, with the name of the first callback that makes it."""
         seen: set[int] = set()
         for name, callback in self._callbacks():
             for call in self._reached_from(callback):
@@ -166,11 +172,11 @@ class _Spins:
                     waiting.append(other.body)
 
     def _spins(self, call: ast.Call) -> bool:
-        """Return whether a call spins through rclpy or an executor, not through a function of the program."""
+        """Return whether a call has the name of a spin function, and the program doesn't define this name itself."""
         return _called(call) in SPINS and _called(call) not in self._functions
 
     def _blocks(self, statement: ast.stmt, depth: int = 0) -> ast.Call | None:
-        """Return the call in a statement that returns only when ROS is shut down; None if there is none."""
+        """Return the call in a statement that blocks until ROS is shut down, or None if there is none."""
         if depth > 3 or isinstance(statement, _DEFINES):
             return None
         if isinstance(statement, (ast.Try, ast.With)):
@@ -186,10 +192,7 @@ class _Spins:
         return None
 
     def _unreached(self, body: list[ast.stmt]) -> Iterator[SpinSeen]:
-        """Yield the calls that don't return, and so keep later statements from running.
-
-        This covers one block and its inner blocks.
-        """
+        """Yield the calls in a block, or in its inner blocks, that block and so keep later statements from running."""
         for number, statement in enumerate(body):
             if isinstance(statement, _DEFINES):
                 continue
@@ -222,7 +225,7 @@ class _Spins:
 
 
 def _calls_in(node: ast.AST) -> Iterator[ast.Call]:
-    """Yield the calls in a part of a program, in the order of the text, except those in inner functions."""
+    """Yield the calls in a part of a program, in the order of the source, except those in inner functions."""
     if isinstance(node, _DEFINES):
         return
     if isinstance(node, ast.Call):

@@ -1,6 +1,7 @@
-"""Combine two runs of one program: one on simulated time, and one in real time. This module runs nothing itself.
+"""Combine the results of two runs of one program: one in simulated time, and one in real time.
 
-A run is represented by its judgment, which contains the recording. `on_simulated` is the run on simulated time.
+A run is represented by its judgment, which contains the recording. `on_simulated` is the judgment of the run in
+simulated time, and `on_wall` that of the run on the wall clock.
 """
 
 from dataclasses import replace
@@ -19,11 +20,11 @@ from workbook.watching.parameter_services import USE_SIM_TIME
 
 REAL_LIFE_S = 8.0
 ENDS_EARLY_S = 1.5
-"""A program that ends this soon (s) in real time hasn't shown how it behaves there."""
+"""A program that exits this soon (s) in real time hasn't shown how it behaves there."""
 WORKED_PERIODS = 3
-"""How many of its longest judged periods a program must run in simulated time before its end counts.
+"""How long a program must run in simulated time before its exit counts, in longest judged periods.
 
-A program that ended earlier also ends while it's watched on the wall clock.
+A program that exits earlier also exits while it's watched on the wall clock.
 """
 STOPPED_PERIODS = 2.5
 """A topic that is silent for this many of its periods has stopped."""
@@ -35,18 +36,18 @@ MOST_WALL_S = 26.0
 
 
 def is_distrusted(answer: Answer) -> bool:
-    """Return whether a program spins in a callback or sets its own clock, so that simulated time proves nothing."""
+    """Return whether simulated time can't prove anything: the program spins in a callback or sets its own clock."""
     return USE_SIM_TIME in answer.text or spins_in_a_callback(answer.text)
 
 
 def needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -> bool:
-    """Return whether a program that should be judged on simulated time must be judged on the wall clock."""
+    """Return whether a program that should be judged in simulated time must be judged on the wall clock."""
     recording = judgement.recording
     if is_distrusted(answer):
         return True
     if recording is None or judgement.status != "graded":
         return False
-    if recording.clock == "wall":  # asking a program whether it can be switched to simulated time may end it
+    if recording.clock == "wall":  # a request to switch to simulated time may crash a program
         return recording.process.ended_by == "itself" and recording.follows_clock is False
     if recording.process.ended_by == "itself":
         return syntax_mistake(answer.text) is None and not _ended_for_good(exercise, recording)
@@ -56,7 +57,7 @@ def needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -
 
 
 def needs_second_start(judgement: Judgement) -> bool:
-    """Return whether a program that was judged on simulated time could still behave differently in real time."""
+    """Return whether a program that was judged in simulated time could still behave differently in real time."""
     recording = judgement.recording
     if not judgement.score or recording is None or recording.clock != "simulated":
         return False
@@ -64,7 +65,7 @@ def needs_second_start(judgement: Judgement) -> bool:
 
 
 def plan_on_wall_clock(exercise: Exercise, on_simulated: Judgement | None) -> Plan:
-    """Return the plan for the wall clock: long enough to repeat the messages of a topic that stopped on simulated time.
+    """Return the plan for the wall clock: long enough to repeat the messages of a topic that stopped in simulated time.
 
     A topic with few messages doesn't prove that it follows simulated time.
     """
@@ -80,7 +81,7 @@ def plan_on_wall_clock(exercise: Exercise, on_simulated: Judgement | None) -> Pl
 
 
 def plan_of_second_start(exercise: Exercise, on_simulated: Judgement) -> Plan:
-    """Return the plan for the second start of a program judged on simulated time. The script is played to the end."""
+    """Return the plan for the second start of a program judged in simulated time. The script is played to the end."""
     plan = plan_on_wall_clock(exercise, on_simulated)
     script_s = plan.simulated_s if plan.script else 0.0
     return replace(plan, wall_seconds=max(REAL_LIFE_S, plan.wall_s, script_s))
@@ -92,7 +93,7 @@ def plan_of_second_start(exercise: Exercise, on_simulated: Judgement) -> Plan:
 def with_doubt(exercise: Exercise, judgement: Judgement, on_simulated: Judgement | None = None) -> Judgement:
     """Return the judgment with the reason, if any, why it's inconclusive.
 
-    `on_simulated`: the same program's result on simulated time.
+    `on_simulated`: the same program's judgment in simulated time.
     """
     recording = judgement.recording
     if judgement.status != "graded" or recording is None:
@@ -114,10 +115,10 @@ def with_doubt(exercise: Exercise, judgement: Judgement, on_simulated: Judgement
 
 
 def wall_clock_decides(exercise: Exercise, on_simulated: Judgement | None, on_wall: Judgement) -> Judgement:
-    """Return the wall clock's judgment, except for the pace of topics that follow simulated time.
+    """Return the judgment on the wall clock, with simulated time's results for the pace of topics that follow it.
 
-    A shorter watch in real time doesn't overrule the many messages on simulated time, unless it shows another rate.
-    `on_simulated`: None if there was no such run, or if it proves nothing.
+    A shorter watch in real time doesn't overrule the many messages in simulated time, unless it shows another rate.
+    `on_simulated`: None if there was no such run, or if it doesn't prove anything.
     """
     if on_simulated is not None:
         on_wall = _with_what_simulated_time_proved(on_simulated, on_wall)
@@ -125,10 +126,10 @@ def wall_clock_decides(exercise: Exercise, on_simulated: Judgement | None, on_wa
 
 
 def second_start_decides(exercise: Exercise, on_simulated: Judgement, on_wall: Judgement) -> Judgement:
-    """Return the judgment in real time if it contradicts the one on simulated time, otherwise the latter.
+    """Return the judgment in real time if it contradicts the one in simulated time, or else the latter.
 
-    With the latter, the first process's end counts, because the judge ended that process. But if the second process
-    ended by itself or hit a limit, its end counts.
+    Along with the latter, the first process's exit counts, because the judge interrupted that process as planned. But
+    if the second process exited by itself or hit a limit, the second exit counts.
     """
     if on_wall.status != "graded" or _contradicts(exercise, on_simulated, on_wall):
         return with_doubt(exercise, on_wall)
@@ -155,10 +156,11 @@ def _with_what_simulated_time_proved(on_simulated: Judgement, on_wall: Judgement
 
 
 def _contradicts(exercise: Exercise, on_simulated: Judgement, on_wall: Judgement) -> bool:
-    """Return whether a program behaved differently in real time, after a second start, than on simulated time.
+    """Return whether a program behaved differently in real time, after a second start, than in simulated time.
 
-    With a script, every judged result must be unchanged. Without one, real time is too short to judge the rates again,
-    so they are compared. How the program ended doesn't matter, unless it ended too early.
+    With a script, every judged result must be unchanged. Without a script, the watch in real time is too short to judge
+    the rates again, so they're only compared. The way in which the program exited doesn't matter, unless it exited too
+    early.
     """
     simulated, real = _recordings(on_simulated, on_wall)
     if real.process.ended_by == "itself" and real.watched_s < ENDS_EARLY_S:
@@ -181,9 +183,9 @@ def _recordings(on_simulated: Judgement, on_wall: Judgement) -> tuple[Recording,
 
 
 def _ended_for_good(exercise: Exercise, recording: Recording) -> bool:
-    """Return whether a program that ended by itself on simulated time had already run for long enough.
+    """Return whether a program that exited in simulated time had already run long enough for its exit to count.
 
-    If the program ended earlier, a run on the wall clock shows its end as well.
+    If the program exited earlier, a run on the wall clock shows that as well.
     """
     published = any(recording.topic(name).arrivals for name in exercise.periods)
     return published and recording.watched_s >= WORKED_PERIODS * exercise.plan.longest_period
@@ -198,18 +200,16 @@ def _is_any_undecided(exercise: Exercise, recording: Recording) -> bool:
 
 
 def _is_final(recording: Recording, result: CriterionResult) -> bool:
-    """Return whether simulated time decides this result.
-
-    It must be about the pace of a topic that follows simulated time.
+    """Return whether simulated time decides this result, which must be about the pace of a topic that follows it.
 
     If simulated time runs at a fixed pace instead of in lockstep, even a callback that sleeps briefly is late by many
-    times that duration. So a result about time is final only in lockstep. But if a topic stops while others go on, a
-    short delay isn't the reason.
+    times that duration in simulated time. So a result about time is final only in lockstep. But if one topic stops
+    while others go on, a short delay can't be the reason, so that result is final, too.
     """
     return (recording.in_lockstep or not result.about_time) and recording.following.get(result.pace_of, False)
 
 
 def _has_another_rate(simulated: Recording, real: Recording, topic: str) -> bool:
-    """Return whether a topic that had messages on simulated time has a different rate in real time."""
+    """Return whether a topic that had messages in simulated time has a different rate in real time."""
     seen = intervals_of(simulated, topic)
     return bool(seen) and rates_differ(median(seen), real, topic)

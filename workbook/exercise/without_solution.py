@@ -1,4 +1,4 @@
-"""Remove the solution from an exercise's source, for the students' edition and for judges on other machines."""
+"""Remove the solution from an exercise's source, for the students' edition and for the farm's machines."""
 
 from workbook.exercise.percent_script import SourceCell, cells_of
 from workbook.exercise.source import ExerciseSource
@@ -6,9 +6,9 @@ from workbook.exercise.source_header import LEFT_OUT, SOLUTION, split_header
 
 
 def without_solution(source: ExerciseSource, *, hints: bool) -> str:
-    """Return an exercise's text with the starter instead of the solution, and with a header that says so.
+    """Return an exercise's source with the starter instead of the solution, and with a header that says so.
 
-    `hints`: keep the hints. The alternatives to the solution are always removed.
+    `hints`: whether to keep the hints. The alternatives to the solution are always removed.
     """
     lines = list(enumerate(source.path.read_text(encoding="utf-8").splitlines(), start=1))
     _, remaining = split_header(source.path, lines)
