@@ -1,4 +1,4 @@
-"""Show feedback as a card in a notebook.
+"""Show feedback as a *card*: the HTML output of a cell.
 
 The card is readable in light and dark themes, without styles, and in untrusted notebooks.
 """
@@ -16,12 +16,12 @@ from workbook.templating import render
 
 @dataclass(frozen=True)
 class Extras:
-    """Optional parts of a card in addition to the judgment.
+    """The optional parts of a card, in addition to the judgment.
 
-    `timeline` is a PNG and `timeline_text` describes it; `has_rates` says whether it shows when messages were due.
-    `is_graded`: the card is part of a gradebook, so no other try follows. `version_line` says which version was judged
-    if the screen couldn't be read. `is_on_screen` is false if the screen shows another version. `better_line` says that
-    an earlier version is better. `moment` is the reward for full marks.
+    `timeline`: a PNG, which `timeline_text` describes. `has_rates`: whether the timeline shows when messages were due.
+    `is_graded`: whether the card is part of a gradebook, so that no other try follows. `version_line`: a sentence that
+    names the judged version if the cell on the screen couldn't be read. `is_on_screen`: whether the screen shows the
+    judged version. `better_line`: a sentence about an earlier, better version. `moment`: the reward for full marks.
     """
 
     file: str = ""
@@ -48,7 +48,7 @@ def _state_of(judgement: Judgement, is_on_screen: bool) -> str:
 
 
 def _headline(judgement: Judgement, extras: Extras) -> str:
-    """Return the headline. It contains no praise if the version that was judged isn't the one on the screen."""
+    """Return the headline. It doesn't praise a version that isn't on the screen."""
     if extras.is_on_screen or not wording.all_shown_hold(judgement):
         return wording.headline(judgement)
     score, most = map(wording.points, wording.shown_points(judgement))
@@ -56,7 +56,7 @@ def _headline(judgement: Judgement, extras: Extras) -> str:
 
 
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
-    """Return the card as HTML. The program's text is escaped, and words repeat the colors' meaning (see `colors`)."""
+    """Return the card as HTML. The program's output is escaped, and words repeat the colors' meaning (see `colors`)."""
     extras = extras or Extras()
     holds = wording.all_shown_hold(judgement) and extras.is_on_screen
     score, most = wording.shown_points(judgement)
@@ -94,7 +94,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
 
 
 class Card:
-    """A judgment for display in JupyterLab. Its text form is the same in every run with the same outcome."""
+    """A judgment for display in JupyterLab. Its plain-text form is the same in every run with the same result."""
 
     def __init__(self, judgement: Judgement, extras: Extras | None = None) -> None:
         self.judgement = judgement

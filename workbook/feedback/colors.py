@@ -1,8 +1,8 @@
-"""Define the colors of feedback: a palette for shapes, with a darker and a lighter variant of each color for text.
+"""Define the colors of feedback: a palette for shapes, and a darker and a lighter variant of each color for text.
 
 No color has a contrast of 4.5:1 both on white and on a dark theme's background. So the color of text comes from CSS
-variables (see `TEXT`). A card sets them if JupyterLab or VS Code reports its theme; a page sets them for the browser's
-theme. If they aren't set, `var()` falls back on the theme's own text color. A sign or word always repeats the color's
+variables (see `TEXT`). A card sets these variables if JupyterLab or VS Code reports its theme; a web page sets them for
+the browser's theme. If they aren't set, text inherits the theme's own color. A sign or word always repeats the color's
 meaning.
 """
 
@@ -30,9 +30,9 @@ TINT_SHARE = 0.14
 
 
 def tint(state: str, share: float = TINT_SHARE) -> str:
-    """Return a state's color, transparent enough to tint a light or dark background and keep its text readable.
+    """Return the color for a state, transparent enough that text on the tinted background stays readable.
 
-    `share`: the opacity. Use a larger one behind text that isn't itself colored.
+    `share`: the opacity, from 0 to 1. Use a higher opacity behind text that isn't itself colored.
     """
     color = COLORS[state]
     red, green, blue = (int(color[at : at + 2], 16) for at in (1, 3, 5))

@@ -1,4 +1,4 @@
-"""Write feedback as Markdown for a GitHub page, where a program's text never becomes a link, an image, or a tag."""
+"""Write feedback as Markdown for a GitHub page, where a program's output never becomes a link, image, or tag."""
 
 import re
 import string
@@ -14,14 +14,14 @@ _PUNCTUATION = re.compile(f"[{re.escape(string.punctuation)}]")
 
 
 def plain(text: str) -> str:
-    """Return text on one line, with punctuation as HTML entities, so that Markdown and HTML show it literally."""
+    """Return `text` on one line, with punctuation as HTML entities, so that Markdown and HTML render it literally."""
     return _PUNCTUATION.sub(
         lambda found: f"&#{ord(found[0])};", _SPACE.sub(" ", without_commands(text)).strip()
     )
 
 
 def plain_markup(text: str) -> str:
-    """Return text as `plain` does, but marked so that a template doesn't escape it again."""
+    """Return `text` as `plain` does, but marked as markup, so that a template doesn't escape it again."""
     return as_markup(plain(text))
 
 

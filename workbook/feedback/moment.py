@@ -11,7 +11,7 @@ from workbook.exercise.source import DEEPER
 from workbook.recording.recording import Recording
 
 POSES = 5
-"""The largest number of recorded poses that the robot moves through, in a film of three seconds."""
+"""The most recorded poses that the robot moves through, in an animation of three seconds."""
 POSE_S = 0.6
 FRAMES_PER_S = 10
 WAVE_S = 2.7
@@ -21,9 +21,10 @@ Lamp = Literal["operational", "error"]
 
 @dataclass(frozen=True)
 class Film:
-    """The moving robot (WebP), its last frame (PNG) for readers who prefer no motion, and a description of both.
+    """An animation of the robot, with a description.
 
-    `moving` is empty if the front end animates the robot itself.
+    `moving`: the animation (WebP), or b"" if the front end animates the robot itself. `still`: the last frame (PNG),
+    for readers who prefer reduced motion.
     """
 
     moving: bytes
@@ -33,9 +34,10 @@ class Film:
 
 @dataclass(frozen=True)
 class Moment:
-    """The additions to a card with full marks. `film` is None until it has been drawn.
+    """The extras on the card of an answer with full marks.
 
-    `replays`: the front end animates the robot from the recording, which needs more room than the image alone.
+    `film`: the animation, or None until it has been rendered. `replays`: whether the front end animates the robot from
+    the recording. Such an animation needs more room than a still image.
     """
 
     gained: str = ""
@@ -46,7 +48,7 @@ class Moment:
 
 
 def gained(before: float, now: float, solved: int, of: int) -> str:
-    """Describe the points that this check earned, and how many exercises are now solved."""
+    """Describe the points that this check earned, and the number of exercises solved so far."""
     if now > before > 0:
         points = f"{now - before:g} more {_points(now - before)} than before. "
     elif now > before:
@@ -61,7 +63,7 @@ def _points(number: float) -> str:
 
 
 def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
-    """Return the next lesson's title and its link, relative to the exercise; both are empty after the last lesson."""
+    """Return the next lesson's title and its link, relative to the exercise. After the last lesson, both are empty."""
     lessons = sorted((course / "notebooks").glob("[0-9][0-9]_*.ipynb"))
     later = [path for path in lessons if path.stem > stem and not path.stem.endswith(DEEPER)]
     if not later:
@@ -72,7 +74,7 @@ def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
 
 
 def still_of(recording: Recording) -> Film:
-    """Return a film of which only the last frame is drawn, for a front end that animates the robot itself."""
+    """Return a film with only the last frame, for a front end that animates the robot itself."""
     from workbook.pictures import humanoid
     from workbook.pictures.joints import waving
 
@@ -89,9 +91,9 @@ def still_of(recording: Recording) -> Film:
 def film_of(recording: Recording) -> Film:
     """Return a film of the robot moving through the first poses that the program sent.
 
-    If the program sent no poses, the robot waves.
+    If the program didn't send any poses, the robot waves.
     """
-    # Importing Matplotlib takes half a second: too long for grading, which draws nothing.
+    # Importing Matplotlib takes half a second, which is too long for grading, because it doesn't draw anything.
     from workbook.pictures import humanoid
     from workbook.pictures.film import film
     from workbook.pictures.joints import Follower, waving
@@ -118,7 +120,7 @@ def film_of(recording: Recording) -> Film:
 
 
 def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | None]]:
-    """Yield a pose's twelve angles and the lamp's state at that time, for each message with a pose."""
+    """Yield, for each message with a pose, the pose's twelve angles and the lamp's state at that time."""
     from workbook.pictures.joints import checked
 
     for topic in recording.with_publishers():
@@ -132,7 +134,7 @@ def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | Non
 
 
 def _lamp(recording: Recording, t: float) -> Lamp | None:
-    """Return the last valid status that the program had sent by the simulated time `t` (s); None if there was none."""
+    """Return the last valid status that the program sent by simulated time `t` (s), or None if it sent none."""
     for topic in recording.with_publishers():
         if topic.name.endswith("/status"):
             words = [

@@ -1,4 +1,4 @@
-"""Write a prompt for a colleague or an AI assistant: the task, the answer, and the judge's observations."""
+"""Write a prompt for a colleague or an AI assistant, with the task, the answer, and the judge's observations."""
 
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import ExerciseSource
@@ -20,9 +20,9 @@ corrected lines of it. Instead:
 
 
 def review_prompt(source: ExerciseSource, answer_text: str, judgement: Judgement) -> str:
-    """Return the prompt, ready to paste. Before full marks, it asks for help that doesn't give the answer away.
+    """Return the prompt, ready to paste. Until the answer has full marks, ask for help that doesn't give it away.
 
-    It includes the observations and expectations, but not the likely cause, which the student should find.
+    The prompt includes the observations and expectations, but not the likely cause, which the student should find.
     """
     done = wording.all_shown_hold(judgement)
     observed = [

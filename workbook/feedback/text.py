@@ -46,7 +46,7 @@ def _criterion(result: CriterionResult, color: bool, in_full: bool, width: int) 
 
 
 def _program_lines(lines: Sequence[str], width: int) -> list[str]:
-    """Return a program's output lines, without the path of its folder. Long lines are split."""
+    """Return a program's output lines, without the path of its temporary folder. Long lines are split."""
     room = max(20, width - 4)
     short = [_SCRATCH.sub('"', without_commands(line)) for line in lines]
     return [f"    {line[at : at + room]}" for line in short for at in range(0, max(1, len(line)), room)]
@@ -59,7 +59,7 @@ def as_text(
     exhibit: Exhibit | None = None,
     width: int = WIDTH,
 ) -> str:
-    """Return the judgment for a terminal: the headline, every criterion, and details on the first one to fix.
+    """Return the judgment for a terminal: the headline, every visible criterion, and details on the first one to fix.
 
     `exhibit`: the matching entry in the error museum.
     """

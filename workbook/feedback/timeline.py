@@ -1,4 +1,4 @@
-"""Draw a card's figure, which shows when messages were expected and when they arrived."""
+"""Draw a card's timeline, a figure that shows when messages were expected and when they arrived."""
 
 from workbook.exercise.definition import Exercise
 from workbook.feedback.colors import ON_LIGHT
@@ -6,8 +6,8 @@ from workbook.recording.recording import Recording
 
 
 def judged_timeline(exercise: Exercise, recording: Recording) -> tuple[bytes, str]:
-    """Return a timeline of the judged topics as PNG bytes, and its description in words."""
-    # Importing Matplotlib takes half a second: too long for grading, which may never draw anything.
+    """Return a timeline of the topics with judged rates as PNG bytes, and its description in words."""
+    # Importing Matplotlib takes half a second, which is too long for grading, because it may never draw anything.
     from workbook.pictures import timeline
 
     periods = {name: period for name, period in exercise.periods.items() if recording.topic(name).publishers}

@@ -7,7 +7,7 @@ from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
 SHORTEST_WATCH_S = 0.5
-"""A watch shorter than this (s) would be reported as 0 s."""
+"""A watch that's shorter than this (s) would be reported as 0 s, so it gets a sentence instead."""
 ENDED_TOO_SOON = "The program ended before there was anything to watch."
 NOTHING_WATCHED = "There was nothing to watch."
 WORDS = {"passed": "passes", "failed": "not yet", "partial": "in part", "skipped": "not judged"}
@@ -26,7 +26,7 @@ def earned(result: CriterionResult) -> str:
 
 
 def visible(judgement: Judgement) -> list[CriterionResult]:
-    """Return the criteria whose text a student may read. Those worth no points are included unless they passed."""
+    """Return the criteria that a student may read. Criteria worth no points are included unless they passed."""
     return [
         result
         for result in judgement.criteria
@@ -41,12 +41,12 @@ def worst_first(judgement: Judgement) -> list[CriterionResult]:
 
 
 def hidden_count(judgement: Judgement) -> int:
-    """Return the number of hidden criteria, which count although students don't see them."""
+    """Return the number of hidden criteria, whose points count although students don't see them."""
     return sum(result.hidden for result in judgement.criteria)
 
 
 def first_to_mend(judgement: Judgement) -> CriterionResult | None:
-    """Return the first visible criterion that failed or passed in part; None if there is none."""
+    """Return the first visible criterion that failed or passed in part, or None if there is none."""
     return next((one for one in visible(judgement) if one.status in ("failed", "partial")), None)
 
 
@@ -71,7 +71,7 @@ def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
 
 
 def shown_points(judgement: Judgement) -> tuple[float, float]:
-    """Return the points earned and the maximum, excluding hidden criteria, which the points would give away."""
+    """Return the points earned and the maximum, excluding hidden criteria, whose results the points would give away."""
     shown = [result for result in judgement.criteria if not result.hidden]
     return round(sum(result.points for result in shown), 6), sum(result.max_points for result in shown)
 
@@ -83,7 +83,7 @@ def all_shown_hold(judgement: Judgement) -> bool:
 
 
 def headline(judgement: Judgement) -> str:
-    """Return a one-line summary. It contains no times, so it's the same in every run."""
+    """Return a one-line summary. It doesn't contain times, so it's the same in every run with the same result."""
     if judgement.status != "graded":
         return f"Not judged: {judgement.reason}"
     score, most = map(points, shown_points(judgement))
@@ -93,7 +93,7 @@ def headline(judgement: Judgement) -> str:
 
 
 def printed(judgement: Judgement) -> str:
-    """Return the program's entire output; empty if there is no recording."""
+    """Return the program's entire output, or "" if there is no recording."""
     recording = judgement.recording
     return "" if recording is None else recording.process.log + recording.process.end_log
 
@@ -115,7 +115,7 @@ def clock_line(judgement: Judgement) -> str:
 
 
 def provisional_line(judgement: Judgement) -> str:
-    """Return a line that says why this judgment may still change; empty for a final one."""
+    """Return a line that says why this judgment may still change, or "" for a final judgment."""
     if not judgement.provisional:
         return ""
     if judgement.inconclusive_reason:
@@ -127,7 +127,7 @@ def provisional_line(judgement: Judgement) -> str:
 
 
 def inconclusive_line(judgement: Judgement, *, is_graded: bool = False) -> str:
-    """Return a line that says why the judgment is inconclusive; empty for a conclusive one.
+    """Return a line that says why the judgment is inconclusive, or "" for a conclusive one.
 
     `is_graded`: whether the judgment belongs to a gradebook, so that no other try follows.
     """
@@ -138,7 +138,7 @@ def inconclusive_line(judgement: Judgement, *, is_graded: bool = False) -> str:
 
 
 def hidden_line(judgement: Judgement) -> str:
-    """Return a sentence that states the number of hidden criteria; empty if there are none."""
+    """Return a sentence that states the number of hidden criteria, or "" if there are none."""
     count = hidden_count(judgement)
     if not count:
         return ""
