@@ -16,14 +16,12 @@ CLOCK_QOS = QoSProfile(
 
 
 class SimulatedClock:
-    """Publishes simulated time on /clock in equal steps, starting at `start_ns` (default: the current time of day).
+    """A publisher of simulated time on /clock, in equal steps from `start_ns` (default: the current time of day).
 
-    By default, a program that is switched to this clock keeps its timers' schedule. `now` and `simulated_time` count
-    from the start.
-
-    `step_s` is the resolution of simulated time (s). Call `advance` whenever the next step is due (see `until_due`).
-    The speed is in simulated seconds per real second. Simulated time never skips steps: on a slow machine, it lags
-    instead.
+    With the default, a program that's switched to this clock keeps its timers' schedule. `now` and `simulated_time`
+    count from the start. `step_s`: the length of a step (s). Call `advance` whenever the next step is due (see
+    `until_due`). The speed is in simulated seconds per real second. Simulated time never skips a step, so on a slow
+    machine, it lags instead.
     """
 
     def __init__(self, node: Any, step_s: float, start_ns: int | None = None) -> None:
@@ -46,7 +44,7 @@ class SimulatedClock:
         return int(self._publisher.get_subscription_count())
 
     def run_at(self, speed: float) -> None:
-        """Set the clock's speed. The next step is due after one step at the new speed, counted from now."""
+        """Set the clock's speed. The next step is due one step from now, at the new speed."""
         self._speed = speed
         self._due = time.monotonic() + self._real_step
 
@@ -55,11 +53,11 @@ class SimulatedClock:
         return self.step_ns / 1e9 / self._speed
 
     def until_due(self) -> float:
-        """Return the real time (s) until the next step is due; zero if it's due now."""
+        """Return the real time, in seconds, until the next step is due, or zero if it's due now."""
         return max(0.0, self._due - time.monotonic())
 
     def publish(self) -> None:
-        """Publish the current simulated time on /clock, and record the real time at which this happened."""
+        """Publish the current simulated time on /clock, and record the real time of this publication."""
         message = Clock()
         message.clock.sec, message.clock.nanosec = divmod(self._now_ns, 1_000_000_000)
         self._moments.append(time.monotonic())
@@ -77,9 +75,9 @@ class SimulatedClock:
         self._node.destroy_publisher(self._publisher)
 
     def simulated_time(self, moment: float) -> float:
-        """Return the simulated time (s) at `moment` (`time.monotonic`, s).
+        """Return the simulated time (s) at the real time `moment` (`time.monotonic`, s).
 
-        It's the last simulated time that was published by this moment; zero if none was published.
+        That's the last simulated time published by then, or zero if none was published.
         """
         index = bisect.bisect_right(self._moments, moment) - 1
         return self._times[index] if index >= 0 else 0.0

@@ -1,7 +1,8 @@
 """Determine whether a topic follows the simulated clock, by comparing its messages at two speeds of the clock.
 
-A program that follows `/clock` publishes at the same intervals of simulated time at every speed. If a program runs on
-the wall clock, its intervals of simulated time grow with the speed.
+If a program follows `/clock`, its intervals between messages, in simulated time, are the same at every speed. If a
+program runs on the wall clock, these intervals grow with the speed. A *stretch* is a part of the watch in which the
+clock's speed stayed the same.
 """
 
 import math
@@ -12,9 +13,9 @@ from statistics import fmean, median
 from workbook.recording.recording import Recording, Stretch
 
 LEAST_INTERVALS = 3
-"""The number of intervals required at each of the two speeds, because fewer can agree by chance."""
+"""The least intervals required at each of the two speeds, because fewer may agree by chance."""
 LEAST_RATIO = 2.0
-"""The smallest ratio of the two speeds. If a program runs on the wall clock, its intervals differ by that factor."""
+"""The smallest ratio of the two speeds. If a program runs on the wall clock, its intervals differ by this ratio."""
 MOST_OFF = 1.5
 """The largest acceptable factor between a topic's rates in simulated and in real time."""
 LEAST_REAL_PERIODS = 2.5
@@ -27,9 +28,9 @@ ALIKE = 0.1
 def follows(stretches: Sequence[Stretch], times: Sequence[float], step_s: float) -> bool | None:
     """Return whether messages that arrived at `times` (simulated time, s) have the same intervals at two speeds.
 
-    The result is None if the messages prove neither. Silence, too few messages, and nearly equal speeds prove nothing.
-    Nor does a median interval of about one clock step (`step_s`, s), because an interval twice as long may be rounded
-    to it.
+    The result is None if the messages prove neither. Silence, too few messages, and nearly equal speeds don't prove
+    anything. Nor does a median interval of about one clock step (`step_s`, s), because an interval twice as long may be
+    rounded to one step.
     """
     slow, fast = max(
         _ways_to_choose(stretches),
@@ -53,9 +54,9 @@ def follows(stretches: Sequence[Stretch], times: Sequence[float], step_s: float)
 def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
     """Return whether a topic's rate in real time differs from one message per `usual_s` (s).
 
-    It differs if the topic's median or mean interval is off by more than a factor of `MOST_OFF`. It also differs if the
-    topic was silent for more than `LEAST_REAL_PERIODS` and `LONGEST_STALL_S`, as if it had stopped. If the recording is
-    shorter than that many periods, return False.
+    The rate differs if the topic's median or mean interval is off by more than a factor of `MOST_OFF`. It also differs
+    if the topic was silent for more than both `LEAST_REAL_PERIODS` periods and `LONGEST_STALL_S`, because the topic may
+    have stopped. If the recording is shorter than `LEAST_REAL_PERIODS` periods, return False.
     """
     few_s = LEAST_REAL_PERIODS * usual_s
     if usual_s <= 0.0 or real.watched_s < few_s:
@@ -71,12 +72,12 @@ def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
 
 
 def intervals_of(recording: Recording, topic: str) -> list[float]:
-    """Return the intervals between a topic's messages (simulated time, s)."""
+    """Return the intervals between a topic's messages, in seconds of simulated time."""
     return [after.t - before.t for before, after in pairwise(recording.topic(topic).arrivals)]
 
 
 def _changes_of_pace(stretches: Sequence[Stretch], times: Sequence[float], step_s: float) -> tuple[int, int]:
-    """Count the changes in clock speed that leave the median interval unchanged, and those that don't.
+    """Count the changes in clock speed that leave the median interval unchanged, and the other changes.
 
     If a program follows the clock but starts to publish more or less often, its intervals change once, regardless of
     the speed. If a program runs on the wall clock, its intervals change every time the speed does.

@@ -1,6 +1,6 @@
 """Query the graph for other programs' endpoints. Skip our own endpoints, and tolerate invalid names.
 
-A program may put any bytes into the graph as the name of a topic, type, or node.
+A program may put any bytes into the graph as the name of a topic, type, or node, so names are untrusted.
 """
 
 import secrets
@@ -18,13 +18,13 @@ from workbook.watching.watched_topic import gid_of
 NO_NAME = (ValueError, TypeError, NameValidationException)
 """The exceptions that rclpy raises for names that aren't UTF-8 or break the ROS naming rules."""
 PREFIX_BYTES = 12
-"""The length of a GID's first part, which all endpoints of one participant have in common."""
+"""The length of a GID's first part, which is the same for all endpoints of one DDS participant."""
 _NAMES_REMEMBERED = 10_000
 Told = TypeVar("Told")
 
 
 def own_prefix(node: Node) -> bytes:
-    """Return the GID prefix that all endpoints in the context of `node` share.
+    """Return the GID prefix of all endpoints in the context of `node`.
 
     Names don't identify our endpoints, because other programs may use the same names. So we subscribe to a topic with a
     secret name, and read the prefix from that subscription.
@@ -57,4 +57,4 @@ def is_name(full: str) -> bool:
 
 
 def _never_called(message: object) -> None:
-    """Ignore a message. No program sends to this topic."""
+    """Ignore a message. No program publishes on this topic."""

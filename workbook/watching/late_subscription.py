@@ -1,5 +1,4 @@
-"""Count the kept messages that a late subscription receives from a topic's publishers ("transient local"
-durability)."""
+"""Count the messages that a topic's publishers keep for late subscriptions (durability "transient local")."""
 
 import time
 
@@ -10,23 +9,22 @@ from workbook.watching.values import known_class
 from workbook.watching.watched_topic import WatchedTopic
 
 ARRIVES_WITHIN_S = 1.5
-"""The longest wait (s) after the match. A kept message usually arrives within milliseconds, but later on a busy
-machine."""
+"""The longest wait (s) after the match. Kept messages arrive within milliseconds, except on a busy machine."""
 MATCHED_WITHIN_S = 3.0
 POLL_S = 0.01
 DEPTH = 100
 
 
 def is_to_be_kept(watched: WatchedTopic) -> bool:
-    """Return whether messages arrived on a topic and one of its publishers promised to keep them."""
+    """Return whether messages arrived on a topic and one of its publishers offers to keep them."""
     promised = any(one.durability == "transient_local" for one in watched.publishers.values())
     return promised and bool(watched.came) and watched.subscribed_type is not None
 
 
 def received_late(node: Node, watched: WatchedTopic) -> int | None:
-    """Subscribe now, and count the messages that were published earlier.
+    """Subscribe now, and count the arriving messages that were published earlier.
 
-    Return None if only new messages arrived, or if the topic's type is unknown here.
+    Return None if only new messages arrive, or if the topic's type isn't installed.
     """
     message_type = known_class(watched.subscribed_type or "")
     if message_type is None:

@@ -1,8 +1,9 @@
 """Detect when a program has come to rest, so that the next clock step doesn't overtake it.
 
-A program is at rest if, at one moment, none of its threads is running or waiting for a processor. The same must be true
-of our threads that receive the program's messages. Two conditions prove that: we saw each thread asleep, and none was
-scheduled between the first poll and the last. Linux counts how often each thread was scheduled (`schedstat`, see
+In *lockstep*, the clock takes a step only after the program has come to rest. A program is at rest if, at one moment,
+none of its threads is running or waiting for a processor, and neither is any of our threads that receive the program's
+messages. Two conditions prove that: we saw each thread asleep, and no thread was scheduled between the first poll and
+the last. Linux counts how often each thread was scheduled (`schedstat`, see
 https://docs.kernel.org/scheduler/sched-stats.html).
 
 A thread that sleeps for a fixed time isn't at rest, because it continues by itself in real time (see `sleeps`).
@@ -17,17 +18,14 @@ from workbook.watching.sleeps import CALLS, goes_on_by_itself
 from workbook.watching.threads import Thread, ThreadTable
 
 LISTED_EVERY_S = 0.05
-"""How long (s) a child process's new thread may be missing from the list, while the thread that started it is
-listed."""
+"""How long (s) a child process's new thread may be missing from our list. The thread that started it is listed."""
 LONGEST_WAIT_S = 0.25
 """The longest wait (s) for a callback that computes or sleeps."""
 WORK_WAITS, SLEEP_WAITS = 4, 2
-"""After this many waits in vain, because a thread was at work or asleep, we assume that the program never comes to
-rest."""
+"""The numbers of waits in vain, for a thread at work or asleep, after which we assume that the program never rests."""
 POLL_S = 0.0001
 POLL_SHARE = 0.1
-"""The pause between two polls, as a share of the time waited so far. More frequent polls would slow the program
-down."""
+"""The pause between two polls, as a fraction of the time waited so far. More polls would slow the program down."""
 FIRST_LOOK_SHARE = 0.5
 LONGEST_UNLOOKED_S = 0.001
 """Before the first poll, wait half as long as the previous step took. This value (s) caps the wait."""
@@ -44,11 +42,11 @@ class State(enum.Enum):
 class LockStep:
     """Waits until a program, whose first process is `pid`, is at rest.
 
-    `works` is False if waiting is useless: the kernel doesn't report threads, the program runs by its own sleeps, or
-    it's always at work. Examples of such work are a MultiThreadedExecutor that waits for a free thread, or a loop
-    without a pause. `never_in_vain`: whether each wait so far ended with the program at rest. `slept_s` and
-    `longest_nap_s`: the total and the longest time (s) that we waited for a sleeping thread before the program came to
-    rest.
+    `works` is False if waiting is useless, because the kernel doesn't report threads, the program paces itself by
+    sleeping, or a thread is always at work. Examples of such work are a MultiThreadedExecutor that waits for a free
+    thread, and a loop without a pause. `never_in_vain`: whether the program was at rest after each wait so far.
+    `slept_s` and `longest_nap_s`: the total and the longest time (s) that we waited for a sleeping thread before the
+    program came to rest.
     """
 
     def __init__(self, pid: int) -> None:
@@ -63,7 +61,7 @@ class LockStep:
 
     @property
     def works(self) -> bool:
-        """Whether waiting for rest is useful."""
+        """Whether waiting for the program to rest is useful."""
         return self._can_tell and min(self._vain.values()) > 0
 
     def wait(self) -> State:
@@ -90,7 +88,7 @@ class LockStep:
     def state(self) -> State:
         """Return the program's current state.
 
-        Polling all threads takes CPU time, which the program has to wait for on a busy machine.
+        Polling all threads takes CPU time that the program lacks on a busy machine, so poll the last suspect first.
         """
         threads = self._table.threads()
         if self._suspect in threads and proc.is_at_work(self._suspect.stat):

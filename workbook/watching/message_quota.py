@@ -1,8 +1,8 @@
-"""Limit the number and the total bytes of the messages that we keep, for one topic or for several topics together."""
+"""Limit the number and total size of the messages that we keep, for one topic or for several topics together."""
 
 
 class MessageQuota:
-    """A quota for kept messages.
+    """A quota for the messages that we keep.
 
     Once a message doesn't fit, no later message is kept either, so the kept messages have no gaps.
     """
@@ -21,7 +21,7 @@ class MessageQuota:
     def take(self, size: int, messages: int = 1) -> bool:
         """Take `size` bytes and a number of messages from the quota.
 
-        Return False if they don't fit, or once any didn't fit.
+        Return False if they don't fit, or if any earlier ones didn't fit.
         """
         if not self._is_full:
             self.is_short_of_bytes = size > self._bytes

@@ -1,4 +1,4 @@
-"""Watch programs one after another on a leased domain."""
+"""Watch programs, one after another, on a leased ROS domain."""
 
 from collections.abc import Container
 
@@ -16,9 +16,9 @@ from workbook.watching.watch import Watch
 class Observer:
     """Leases a domain, and watches programs on it, one after another.
 
-    `tier`: their isolation tier; None for no isolation. Each slot has one observer. After a program has been killed,
-    the observer moves to another domain, because a killed program's nodes stay in the graph for a while. `on_take`: the
-    function to call whenever messages have been taken; None for no call.
+    `tier`: the isolation tier of the programs, or None for no isolation. `on_take`: the function to call whenever
+    messages have been taken, or None. Each grading slot has one observer. After a program was killed, the observer
+    moves to another domain, because a killed program's nodes stay in the graph for a while.
     """
 
     on_take: OnTake | None = None
@@ -71,7 +71,7 @@ class Observer:
         self.close()
 
     def watch(self, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None = None) -> Watch:
-        """Start a program and return the running watch. Use it as a context manager.
+        """Start a program and return the watch of it, which is a context manager.
 
         `process`: the program's process, if it's already running on this domain. Raises OSError if the program can't be
         started.

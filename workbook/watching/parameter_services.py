@@ -1,7 +1,7 @@
-"""Read and set `use_sim_time` of running nodes from outside, through the parameter services that rclpy gives a node.
+"""Read and set `use_sim_time` in another program's nodes, through the parameter services that rclpy gives each node.
 
-A program is started without any arguments, so it can't tell at startup that it's being judged. If a node responds, it's
-spinning, and its constructor has finished.
+Because the judge starts a program without arguments, the program can't detect at startup that it's being judged. If a
+node responds, it's spinning, and its constructor has finished.
 """
 
 import time
@@ -26,23 +26,23 @@ class ParameterServices:
         self._spinning: set[str] = set()
 
     def all_spin(self, names: Iterable[str]) -> bool:
-        """Return whether all nodes with these fully qualified names have responded so far; False for no names."""
+        """Return whether there are names, and all nodes with these fully qualified names have responded so far."""
         wanted = set(names)
         for name in wanted - self._spinning:
             if name not in self._asked and self._send(GetParameters, name, names=[USE_SIM_TIME]):
                 self._asked.add(name)
             if name in self._asked and self._take(GetParameters, name) is not None:
                 self._spinning.add(name)
-            self._client(SetParameters, name)  # so that its service discovers us early
+            self._client(SetParameters, name)  # so that the node's service discovers our client early
         return bool(wanted) and wanted <= self._spinning
 
     def set_sim_time(
         self, names: Iterable[str], value: bool, until: float, meanwhile: Callable[[], bool]
     ) -> bool:
-        """Set `use_sim_time` of the named nodes to `value`, and return whether all of them have accepted it.
+        """Set `use_sim_time` of the named nodes to `value`, and return whether all of them have accepted the value.
 
-        Give up at the moment `until` (`time.monotonic`, s). During the wait for responses, `meanwhile` is called
-        repeatedly; if it returns False, give up, too.
+        Give up at the time `until` (`time.monotonic`, s). While waiting for responses, call `meanwhile` repeatedly, and
+        give up if it returns False.
         """
         wanted = Parameter(
             name=USE_SIM_TIME, value=ParameterValue(type=ParameterType.PARAMETER_BOOL, bool_value=value)
@@ -82,7 +82,7 @@ class ParameterServices:
         return True
 
     def _take(self, kind: Any, name: str) -> Any:
-        """Return a node's response to our request; None if it hasn't arrived yet."""
+        """Return a node's response to our request, or None if it hasn't arrived yet."""
         client = self._client(kind, name)
         with client.handle:
             header, response = client.handle.take_response(kind.Response)

@@ -1,4 +1,4 @@
-"""Detect from the states of a program's threads whether it has finished its current work."""
+"""Detect, from the states of a program's threads, whether the program has finished its current work."""
 
 import time
 
@@ -8,7 +8,7 @@ from workbook.watching.threads import Thread, ThreadTable
 LONGEST_WAIT_S = 0.25
 BUDGET_S = 4.0
 _POLL_S = 0.0005
-# Share of the time waited so far. Polling more often would only take the core from the program.
+# A fraction of the time waited so far. More frequent polls would take the core away from the program.
 _POLL_SHARE = 0.2
 LISTED_EVERY_S = 0.1
 
@@ -16,11 +16,13 @@ LISTED_EVERY_S = 0.1
 class Quiescence:
     """Waits until no thread of a program, and none of ours that receive messages, is running or waiting for a core.
 
-    On a busy machine, a program may have to wait for a core. If simulated time went on, it would miss clock ticks,
-    although it isn't at fault. So the code that advances simulated time waits for quiescence before each step.
+    On a busy machine, a program may have to wait for a core. If simulated time went on in the meantime, the program
+    would miss clock ticks without being at fault. So the code that advances simulated time waits for quiescence before
+    each step.
 
-    Some programs are never quiet, such as a loop without a pause. We wait for such a program at most `LONGEST_WAIT_S`
-    per call and `BUDGET_S` in total (s). If the states can't be read, everything counts as quiet.
+    Some programs are never quiet, for example because of a loop without a pause. We wait for such a program at most
+    `LONGEST_WAIT_S` per call and `BUDGET_S` in total (both in s). If the states can't be read, all threads count as
+    quiet.
     """
 
     def __init__(self, pid: int) -> None:
@@ -29,7 +31,7 @@ class Quiescence:
         self._suspect: Thread | None = None  # was at work at the last poll, and probably still is
 
     def wait(self) -> bool:
-        """Wait until all threads are quiet, or until the time is up. Return whether they were quiet."""
+        """Wait until all threads are quiet, or until the time is up. Return whether they became quiet."""
         if self.is_quiet():
             return True
         began = time.monotonic()

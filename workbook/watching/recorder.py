@@ -37,9 +37,9 @@ INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
 KEPT_PER_TOPIC = 20_000
 TOPICS_WATCHED = 64
 TAKEN_AT_ONCE = 2_000
-"""How many messages of one topic are taken before the next topic's turn.
+"""The most messages of one topic that are taken before the next topic's turn.
 
-This way, a program that publishes faster than we can take messages doesn't stall the watch.
+Because of this limit, a program that publishes faster than we can take messages doesn't stall the watch.
 """
 PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
 CLOCK_WAS_SET_S = 0.5
@@ -48,18 +48,18 @@ _LOOK_AGAIN_S = 0.02
 
 
 class Recorder:
-    """Watches one context's graph, and records every topic that other programs publish.
+    """Reads one context's graph, and records every topic that other programs publish.
 
-    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). An arrival is stamped with the moment
+    `simulated_time` maps a real time (`time.monotonic`, s) to simulated time (s). An arrival is stamped with the time
     at which DDS received the message, so a late `take` does no harm. Wall time counts from `started_at`. `look` reads
     changes in the graph, and `take` reads the messages; neither waits. Endpoints in the context of `node` are left out,
     but not other programs' endpoints with the same names. Invalid names are left out, too, without losing other topics:
-    if topics can't be listed because of them, the `judged` ones are still recorded. Judged topics are also recorded if
-    a program publishes more than `TOPICS_WATCHED` topics.
+    if topics can't be listed because of such a name, the `judged` topics are still recorded. Judged topics are also
+    recorded if a program publishes more than `TOPICS_WATCHED` topics.
 
-    Each judged topic has a quota of `KEPT_PER_TOPIC` messages and `bytes_per_topic`; all other topics share one quota.
-    Our own messages don't count toward it: `own_bytes` gives their total size by topic. `features`: see `Plan`.
-    `on_take` is called with the recorder after each `take`.
+    Each judged topic has a quota of `KEPT_PER_TOPIC` messages and `bytes_per_topic` bytes; all other topics share one
+    quota. The script's own messages don't count toward a quota: `own_bytes` is their total size by topic. `features`:
+    see `Plan`. `on_take` is called with the recorder after each `take`.
     """
 
     def __init__(
@@ -121,7 +121,7 @@ class Recorder:
         return new
 
     def _topic_names(self) -> list[str]:
-        """Return the topics that may be recorded. If they can't be listed, return the judged and known ones."""
+        """Return the topics to record. If topics can't be listed, return the judged ones and those found earlier."""
         known = [(topic, [""]) for topic in dict.fromkeys((*self._judged, *self._topics))]
         listed = or_default(lambda: self._node.get_topic_names_and_types(no_demangle=False), known)
         return [topic for topic, _ in listed if topic not in INFRASTRUCTURE and is_name(topic)]
@@ -137,7 +137,8 @@ class Recorder:
     def look_at_services(self) -> None:
         """Record the services that other programs currently offer or have clients for, except parameter services.
 
-        Skip nodes with our node's name: services are looked up by node name, so we couldn't tell theirs from ours.
+        Skip nodes with our node's name: services are looked up by node name, so we couldn't tell such a node's services
+        from ours.
         """
         for full in self.present():
             if full == self._own_name:
@@ -155,14 +156,14 @@ class Recorder:
             self._clients |= _own_services(called)
 
     def nodes_on_clock(self) -> tuple[str, ...]:
-        """Return the fully qualified names of other programs' nodes that subscribe to /clock now, sorted."""
+        """Return the fully qualified names of other programs' nodes that currently subscribe to /clock, sorted."""
         nothing: list[TopicEndpointInfo] = []
         found = or_default(lambda: self._node.get_subscriptions_info_by_topic("/clock"), nothing)
         others = (info for info in found if not self._is_own(gid_of(info)))
         return tuple(sorted({full_name(info.node_namespace, info.node_name) for info in others}))
 
     def look_who_stays(self, patience_s: float) -> None:
-        """Wait up to `patience_s` (s) for an ended program's nodes to leave the graph, and record which ones stay."""
+        """Wait up to `patience_s` (s) for the exited program's nodes to leave the graph, and record which ones stay."""
         deadline = time.monotonic() + patience_s
         while (left := self.present()) and time.monotonic() < deadline:
             time.sleep(_LOOK_AGAIN_S)
@@ -194,8 +195,8 @@ class Recorder:
     def _is_worth_a_look(self, watched: WatchedTopic) -> bool:
         """Return whether to list a topic's endpoints, which is expensive.
 
-        We list them if their number has changed, or if some information about them is still missing. Every few polls,
-        we list them anyway, because one endpoint may have replaced another between two polls.
+        We list endpoints if their number has changed, or if some information about them is still missing. Every few
+        polls, we list them anyway, because one endpoint may have replaced another between two polls.
         """
         endpoints = (self._node.count_publishers(watched.name), self._node.count_subscribers(watched.name))
         watched.looks += 1
@@ -295,9 +296,9 @@ class Recorder:
             self._on_take(self)
 
     def kept_until_now(self) -> dict[str, int | None]:
-        """Return how many messages a new subscription receives that were published earlier, for each judged topic.
+        """Return, by topic, the number of earlier messages that a new subscription still receives.
 
-        Only topics that promise to keep messages are included. `received_late` documents the values, including None.
+        This includes only judged topics on which a publisher offers to keep messages. For None, see `received_late`.
         """
         judged = (self._topics[name] for name in self._judged if name in self._topics)
         return {one.name: received_late(self._node, one) for one in judged if is_to_be_kept(one)}
@@ -335,7 +336,7 @@ class Recorder:
         return len(came) == FLOOD_MESSAGES and came[-1].t - came[0].t < FLOOD_S
 
     def matched_at(self, topic: str) -> float | None:
-        """Return the simulated time (s) at which our subscription to `topic` found a publisher; None if it didn't."""
+        """Return the simulated time (s) at which our subscription to `topic` was matched, or None if it wasn't."""
         watched = self._topics.get(topic)
         return None if watched is None else watched.matched_at
 
@@ -346,7 +347,7 @@ class Recorder:
     def knows_its_nodes(self) -> bool:
         """Return whether every current publisher's node is known.
 
-        A node may still be unknown, because DDS announces node names separately from publishers.
+        ROS 2 announces node names separately from publishers, so a node may still be unknown.
         """
         return all(
             publisher.node in self._nodes
@@ -368,11 +369,11 @@ class Recorder:
         return tuple(self._services[key] for key in sorted(self._services))
 
     def clients(self) -> tuple[ServiceSeen, ...]:
-        """Return all services that nodes have had clients for so far, sorted."""
+        """Return all services for which nodes have had clients so far, sorted."""
         return tuple(self._clients[key] for key in sorted(self._clients))
 
     def start_windows(self, t: float) -> None:
-        """Begin the watch at simulated time `t`. Matches and endpoints from before count as found at `t`.
+        """Begin the watch at simulated time `t` (s). Earlier matches and endpoints count as found at `t`.
 
         On the wall clock, simulated time begins only now, so times recorded earlier would be wrong.
         """

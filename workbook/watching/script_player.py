@@ -1,4 +1,8 @@
-"""Play a script to a program: publish messages, respond to calls, and call services, all without an executor."""
+"""Play a script to a program: publish messages, respond to calls, and call services, all without an executor.
+
+A *script* holds everything that the judge sends during a watch: *parts* (a topic or service each) and their *lines* (a
+message or call, and its time).
+"""
 
 import math
 import time
@@ -20,13 +24,13 @@ from workbook.watching.values import plain
 SERVED_EVERY_S = 0.01
 LATE_S = 0.02
 CALLS_KEPT = 2_000
-"""After this many calls, further ones get no response and aren't recorded, because a program may call endlessly."""
+"""After this many calls, further calls are neither answered nor recorded, because a program may call endlessly."""
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
     """Set a message's fields from plain data, and nested messages from nested mappings. Return the message.
 
-    `bytes` values are converted to `array`, because with field checks, a message checks any other type byte by byte.
+    `bytes` values are converted to `array`, because with field checks on, a message checks any other type byte by byte.
     """
     for name, item in value.items():
         if isinstance(item, Mapping):
@@ -72,9 +76,10 @@ class _Due:
         return now
 
     def take_apart(self, t: float) -> list[Line]:
-        """Take the lines that are planned for the next moment, if it has come.
+        """Take the lines that are planned for the next time in the script, if that time has come.
 
-        If they're late by more than `LATE_S`, delay all later lines by as much, so that the pauses stay the same.
+        If these lines are late by more than `LATE_S`, delay all later lines by as much, so that the pauses stay the
+        same.
         """
         if self.next_at() > t:
             return []
@@ -84,9 +89,9 @@ class _Due:
 
 
 class ScriptPlayer:
-    """Plays a script from one node. The constructor publishes lines that are due before the program starts.
+    """Plays a script from one node. The constructor publishes the lines that are due before the program starts.
 
-    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s). Wall time counts from `started_at`,
+    `simulated_time` maps a real time (`time.monotonic`, s) to simulated time (s). Wall time counts from `started_at`,
     which must be set when the program is started. `play` and `poll` never wait.
     """
 
@@ -167,7 +172,7 @@ class ScriptPlayer:
             self._collect(called)
 
     def until_next(self, t: float) -> float:
-        """Return the simulated time (s) from `t` to the next line; infinite if there is none.
+        """Return the simulated time, in seconds, from `t` to the next line, or infinity if there is none.
 
         If the script has a service or a client, the result is at most `SERVED_EVERY_S`, because a request or response
         may arrive at any time.
@@ -231,7 +236,7 @@ class ScriptPlayer:
                 if header is None:
                     break
                 if len(self._calls) >= CALLS_KEPT:
-                    continue  # taken anyway, so that requests don't fill the queue
+                    continue  # the request is taken all the same, so that it doesn't stay in the queue
                 reply = offered.part.replies[min(offered.count, len(offered.part.replies) - 1)]
                 offered.count += 1
                 index = len(self._calls)

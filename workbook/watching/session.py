@@ -21,12 +21,11 @@ from workbook.watching.recorder import OnTake, Recorder
 from workbook.watching.script_player import ScriptPlayer
 
 REMEMBERED_S = 20
-"""How long (s) other participants keep a vanished program in the graph, if we judge whether its nodes leave the
-graph."""
+"""The liveliness lease (s) if we judge whether nodes leave the graph: how long the graph keeps a vanished program."""
 
 
 class Place(Protocol):
-    """The place where programs are watched: see `workbook.watching.observer.Observer`."""
+    """The parts of `workbook.watching.observer.Observer` that a watch uses."""
 
     @property
     def domain_id(self) -> int:
@@ -34,11 +33,11 @@ class Place(Protocol):
 
     @property
     def tier(self) -> Tier | None:
-        """The isolation tier in which the program runs; None for no isolation."""
+        """The isolation tier in which the program runs, or None for no isolation."""
 
     @property
     def on_take(self) -> OnTake | None:
-        """The function to call whenever messages have been taken; None for no call."""
+        """The function to call whenever messages have been taken, or None."""
 
     def move(self) -> None:
         """Switch to another domain for the programs that follow."""
@@ -46,7 +45,7 @@ class Place(Protocol):
 
 @dataclass
 class Delays:
-    """How long (s) the judge or the program had to wait for a processor, as stored in the recording."""
+    """The delays (s) of the judge and the program for lack of a processor, as stored in the recording."""
 
     held_up: float = 0.0
     longest_steal: float = 0.0
@@ -58,8 +57,8 @@ class Delays:
 class Session:
     """The parts of one watch.
 
-    `clock`: the simulated clock; None on the wall clock, and until the switch to simulated time begins. `began`: on the
-    wall clock, the moment (`time.monotonic`, s) that counts as simulated time zero.
+    `clock`: the simulated clock, or None on the wall clock, and until the switch to simulated time begins. `began`: on
+    the wall clock, the real time (`time.monotonic`, s) that counts as simulated time zero.
     """
 
     place: Place
@@ -75,7 +74,7 @@ class Session:
     delays: Delays = field(default_factory=Delays)
 
     def simulated_time(self, moment: float) -> float:
-        """Return the simulated time (s) that corresponds to `moment`, a value of `time.monotonic` (s)."""
+        """Return the simulated time (s) that corresponds to the real time `moment` (`time.monotonic`, s)."""
         if self.clock is not None:
             return self.clock.simulated_time(moment)
         return moment - self.began
@@ -88,7 +87,7 @@ class Session:
 
 
 def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProcess | None) -> Session:
-    """Create the judge's node, and start the program unless it already runs as `process`.
+    """Create the judge's node, and start the program unless it's already running as `process`.
 
     Raises OSError if the program can't be started.
     """

@@ -1,7 +1,7 @@
 """Advance simulated time: in lockstep with a program that comes to rest after each step, or else at a fixed speed.
 
-Fast and slow blocks alternate, so that we can detect a program on the wall clock, even if the program stops early (see
-`following`). Once a slow block has proved that every topic follows the clock, the rest of the block is fast.
+Fast and slow blocks alternate, so that we can detect a program that runs on the wall clock, even if it stops early (see
+`following`). Once a slow block has proved that every topic follows the clock, the rest of that block is fast.
 """
 
 import math
@@ -23,17 +23,21 @@ It exceeds the required 2, because the next fast block may be a little slower.
 """
 SETTLE_S = 0.005
 LATE_MATCH_S = 0.3
-"""How long (s) the clock pauses in total for a topic's late publishers. The total is limited, so that a publisher
-that can't be connected doesn't delay the clock again and again."""
+"""The longest total pause (s) of the clock for a topic's late publishers.
+
+Because of this limit, a publisher that can't be connected doesn't delay the clock again and again.
+"""
 MOST_REAL_S = 40.0
-"""How much real time (s) a watch in simulated time may take. After that, the program is judged on the wall clock."""
+"""The most real time (s) that a watch in simulated time may take. After that, the wall clock judges the program."""
 CLEARLY_FASTER = 2.0
-"""If a program works and sleeps for longer than the simulated time divided by this, it may be too slow in real time."""
+"""A program that works and sleeps for longer than the simulated time, divided by this, may be too slow in real time."""
 LEAST_TAKEN_S = 0.5
 """`CLEARLY_FASTER` is applied only once a program has worked and slept for this long (s)."""
 LONGEST_NAP_PERIODS = 0.5
-"""The longest sleep of a callback, as a share of the shortest judged period. Lockstep waits for it; real time
-doesn't."""
+"""The longest acceptable sleep of a callback, as a fraction of the shortest judged period.
+
+Lockstep waits for a sleeping callback, but real time doesn't.
+"""
 MOST_EXTRA_S = 60.0
 """The most simulated time (s) added for topics with too few messages to tell whether they follow the clock."""
 
@@ -53,7 +57,7 @@ class SimulatedRun:
         self.stretches: list[Stretch] = []
 
     def run_as_planned(self) -> float:
-        """Advance the clock through the planned time, or until the program ends. Return the simulated time (s)."""
+        """Advance the clock until the planned time has passed or the program exits. Return the simulated time (s)."""
         plan = self._session.plan
         pairs = max(1, math.floor(plan.simulated_s / (2 * PERIODS_PER_BLOCK * plan.longest_period)))
         self._run(plan.simulated_s, pairs)
@@ -62,7 +66,7 @@ class SimulatedRun:
     def run_longer(self) -> None:
         """Advance the clock further if that may show whether a topic follows it.
 
-        Messages in this extra time aren't judged.
+        Messages that arrive in this extra time aren't judged.
         """
         unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
         if unsure and self._lock.works and self._session.process.is_running() and not self.outpaced:
@@ -70,12 +74,13 @@ class SimulatedRun:
             self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
     def _unsure(self, topic: str) -> list[float]:
-        """Return a topic's arrival times (simulated time, s), or [] if they prove whether it follows the clock."""
+        """Return a topic's arrival times (simulated time, s), or [] if they prove whether the topic follows the clock.
+        """
         times = self._session.recorder.times(topic)
         return times if follows(self.stretches, times, self._session.plan.step_s) is None else []
 
     def following(self) -> dict[str, bool]:
-        """Return whether each topic follows the clock. Topics that nothing is proved about are left out."""
+        """Return, by topic, whether it follows the clock. Topics for which neither is proved are left out."""
         found = {}
         for name in self._session.plan.paced:
             proved = follows(self.stretches, self._session.recorder.times(name), self._session.plan.step_s)
@@ -93,7 +98,7 @@ class SimulatedRun:
         """Whether the program must be judged on the wall clock, because it slows down simulated time too much.
 
         Lockstep waits for callbacks that work or sleep, but in real time, such callbacks make the program late. We
-        count CPU time and sleep, but no other delays, because a busy machine isn't the program's fault. A program that
+        count CPU time and sleep, but not other delays, because a busy machine isn't the program's fault. A program that
         floods a topic is also judged on the wall clock, which shows sooner what else the program does.
         """
         taken_s = self._used_s - self._used_before_s + self._lock.slept_s
@@ -130,7 +135,7 @@ class SimulatedRun:
     def _run_phase(self, end: float, *, fast: bool, earlier: int) -> None:
         """Advance the clock at one speed until `end`.
 
-        Stop earlier if everything is proved (see `_is_proved`), if the program ends or is `outpaced`, or if
+        Return earlier if everything is proved (see `_is_proved`), if the program exits or is `outpaced`, or if
         `LockStep.works` changes.
         """
         session, clock, locked = self._session, self._clock, self._lock.works
@@ -174,8 +179,8 @@ class SimulatedRun:
     def _match_late_publishers(self) -> None:
         """Pause the clock until late publishers are connected, but at most `LATE_MATCH_S` per topic.
 
-        Messages published earlier are lost. That also happens in real time, but simulated time is faster, so without a
-        pause, it would lose more of them.
+        Messages published before the connection are lost. That also happens in real time, but simulated time is faster,
+        so without a pause, more messages would be lost.
         """
         recorder = self._session.recorder
         for topic, left in self._late_match_s.items():
@@ -207,5 +212,5 @@ class SimulatedRun:
 
 
 def _stretch(begin: float, now: float, began: float) -> Stretch:
-    """Return the stretch of simulated time (s) from `begin` to `now`. It began at `began` (`time.monotonic`, s)."""
+    """Return the stretch from `begin` to `now` (simulated time, s), which began at the real time `began`."""
     return Stretch(round((now - begin) / (time.monotonic() - began), 3), begin, now)

@@ -1,4 +1,4 @@
-"""Determine from a thread's system call whether the thread sleeps for a time that it chose itself.
+"""Determine, from a thread's system call, whether the thread sleeps for a time that it chose itself.
 
 `time.sleep` makes one of the `nanosleep` calls. An event loop (asyncio, selectors, zmq) sleeps in `epoll_wait` or
 `poll` with a numeric timeout. A futex wait with a timeout proves nothing, because rclpy itself waits like that.
@@ -8,8 +8,10 @@ import os
 from collections.abc import Callable, Sequence
 
 SHORT_MS = 250
-"""A `poll` with a longer timeout (ms) counts as rest: programs that spin nodes in one thread wait like that in
-another."""
+"""A `poll` with a longer timeout (ms) counts as rest.
+
+Programs that spin nodes in one thread wait like that in another.
+"""
 
 Sleeps = Callable[[Sequence[bytes]], bool]
 
@@ -19,12 +21,12 @@ def _always(_: Sequence[bytes]) -> bool:
 
 
 def _milliseconds(place: int) -> Sleeps:
-    """Return a test for calls whose argument at `place` is a timeout (ms). A negative timeout means forever."""
+    """Return a test for calls whose argument at index `place` is a timeout (ms). A negative timeout means forever."""
     return lambda arguments: int(arguments[place], 16) & 0xFFFFFFFF <= SHORT_MS
 
 
 def _pointer(place: int) -> Sleeps:
-    """Return a test for calls whose argument at `place` points to a timeout that we can't read.
+    """Return a test for calls whose argument at index `place` points to a timeout, which we can't read.
 
     A null pointer means forever.
     """
@@ -51,8 +53,10 @@ _CALLS: dict[str, dict[bytes, Sleeps]] = {
     },
 }
 CALLS = _CALLS.get(os.uname().machine, {})
-"""Maps a call's number to a test of its arguments: does the thread soon continue by itself? Empty on unknown
-machines."""
+"""Maps a call's number to a test of its arguments: does the thread soon continue by itself?
+
+Empty for any other kind of machine.
+"""
 
 
 def goes_on_by_itself(call: bytes) -> bool:

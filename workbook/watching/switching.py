@@ -7,11 +7,15 @@ from workbook.watching.parameter_services import ParameterServices
 from workbook.watching.session import Session
 
 ANSWERS_WITHIN_S = 5.0
-"""How long (s) a node's parameter services may take to respond. After that, we assume that the node isn't spinning,
-and use the wall clock."""
+"""How long (s) a node's parameter services may take to respond.
+
+After that, we assume that the node isn't spinning and use the wall clock.
+"""
 FOLLOWS_WITHIN_S = 1.0
-"""The longest wait (s) for /clock subscriptions. Nodes create them before they respond, but the graph shows them
-later."""
+"""The longest wait (s) for the nodes' /clock subscriptions.
+
+A node creates its subscription before it responds, but the graph shows the subscription later.
+"""
 START_NS = 1_000_000
 """The first clock time (ns) for a program that was started in simulated time. Its timers count from zero, so if the
 clock began much later, all of them would be due right away."""
@@ -19,10 +23,10 @@ POLL_S = 0.001
 
 
 class TimeSwitch:
-    """Switches a session's program to simulated time. `services`: the parameter services of the program's nodes.
+    """Switches a session's program to simulated time.
 
-    `is_real`: whether the program runs on real time. `from_start`: whether the program was started in simulated time,
-    as lessons do with their own programs.
+    `services`: the parameter services of the program's nodes. `is_real`: whether the program is running in real time.
+    `from_start`: whether the program was started in simulated time, as lessons start their own programs.
     """
 
     def __init__(self, session: Session, *, from_start: bool = False) -> None:
@@ -37,8 +41,8 @@ class TimeSwitch:
     def to_simulated_time(self, until: float) -> bool:
         """Set `use_sim_time` on every node in the graph. Return whether all of them follow /clock now.
 
-        If a node refuses, or hasn't responded by the moment `until` (`time.monotonic`, s), all nodes stay on real time
-        or return to it.
+        If a node refuses, or hasn't responded by the time `until` (`time.monotonic`, s), all nodes stay in real time or
+        return to it.
         """
         session = self._session
         present = session.recorder.present()
@@ -58,7 +62,7 @@ class TimeSwitch:
         return False
 
     def keep_time(self) -> bool:
-        """Advance the clock, if there is one and its next step is due. Return whether the program is running.
+        """Advance the clock if there is one and its next step is due. Return whether the program is running.
 
         Call this repeatedly after a switch, because the program may still follow the clock.
         """
@@ -79,7 +83,7 @@ class TimeSwitch:
         )
 
     def _is_followed(self, clock: SimulatedClock, nodes: int) -> bool:
-        """Wait until /clock has `nodes` subscriptions. Return False if it doesn't in time, or the program ends."""
+        """Wait until /clock has `nodes` subscriptions. Return False if that takes too long or the program exits."""
         until = time.monotonic() + FOLLOWS_WITHIN_S
         while clock.followers() < nodes:
             if time.monotonic() > until or not self._session.process.is_running():

@@ -1,4 +1,4 @@
-"""List a program's threads, and our own threads that receive its messages. Keep the files with their states open."""
+"""List a program's threads and our own threads that receive its messages, and keep the files with their states open."""
 
 import os
 import time
@@ -16,8 +16,8 @@ OWN_THREADS = b"dds."
 class Thread:
     """The descriptors of a thread's files in /proc.
 
-    `schedstat` is None if the kernel doesn't have it. `syscall` is None for our own threads, or if the kernel doesn't
-    let us read it.
+    `schedstat` is None if the kernel doesn't provide this file. `syscall` is None for our own threads, or if the kernel
+    doesn't let us read the file.
     """
 
     stat: int
@@ -66,7 +66,7 @@ class ThreadTable:
         for folder in self._threads.keys() - wanted.keys():
             self._threads.pop(folder).close()
         for folder in wanted.keys() - self._threads.keys():
-            with suppress(OSError):  # the thread has ended in the meantime
+            with suppress(OSError):  # the thread has finished in the meantime
                 self._threads[folder] = _open(folder, of_program=wanted[folder])
 
     def _folders(self) -> Iterator[tuple[str, bool]]:
@@ -84,7 +84,7 @@ class ThreadTable:
 
 
 def _open(folder: str, *, of_program: bool) -> Thread:
-    """Open a thread's files. Raise OSError if the thread has ended."""
+    """Open a thread's files. Raise OSError if the thread has finished."""
     stat = os.open(f"{folder}/stat", os.O_RDONLY | os.O_CLOEXEC)
     return Thread(
         stat, _open_if(f"{folder}/schedstat"), _open_if(f"{folder}/syscall") if of_program else None
@@ -92,7 +92,7 @@ def _open(folder: str, *, of_program: bool) -> Thread:
 
 
 def _open_if(path: str) -> int | None:
-    """Open a file. Return None if the kernel doesn't have it or doesn't let us read it."""
+    """Open a file. Return None if the kernel doesn't provide it or doesn't let us read it."""
     try:
         return os.open(path, os.O_RDONLY | os.O_CLOEXEC)
     except OSError:

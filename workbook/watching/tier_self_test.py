@@ -1,7 +1,7 @@
-"""Test whether a tier isolates programs on this machine and lets their messages through.
+"""Test whether an isolation tier isolates programs on this machine and lets their messages through.
 
-A slot runs this test before it judges its first answer. The test runs a program, the probe, which tries everything
-that's forbidden and publishes the results.
+A grading slot runs this test before it judges its first answer. The test runs a program, the *probe*, which tries
+everything that's forbidden and publishes the results.
 """
 
 import json
@@ -30,9 +30,9 @@ POLL_S = 0.01
 
 
 def problem_in(isolation: Isolation, found: dict[str, Any], ids: Ids | None) -> str | None:
-    """Return the problem that the probe's results (`found`) show; None if there is none.
+    """Return the problem that the probe's results (`found`) show, or None if there is none.
 
-    `ids`: the user ID that the probe should run as; None for our own.
+    `ids`: the user ID as which the probe should run, or None for our own.
     """
     wrong = sorted(name for name in refuses(isolation) if found[name])
     if ids is not None and set(found["user"]) | set(found["groups"]) != {ids.user}:
@@ -45,9 +45,9 @@ def problem_in(isolation: Isolation, found: dict[str, Any], ids: Ids | None) -> 
 def try_out(
     isolation: Isolation, observer: Observer, limits: Limits, port: int, ids: Ids | None
 ) -> str | None:
-    """Run the probe as `observer` runs answers. Return the tier's problem; None if there is none.
+    """Run the probe as `observer` runs answers. Return the tier's problem, or None if there is none.
 
-    `port`: a TCP port on which something listens on this machine.
+    `port`: a TCP port of this machine on which a process listens.
     """
     folder, secrets = scratch_folder("probe"), scratch_folder("secret")
     secret = secrets / "secret"

@@ -10,13 +10,12 @@ from workbook.ros.messages import message_class
 LONGEST_ARRAY = 4096
 LONGEST_TEXT = 4096
 FIRST_OF_ARRAY = 64
-"""How many elements of a longer array are kept. Of a longer text, `LONGEST_TEXT` characters are kept, for people to
-read."""
+"""The number of elements that are kept of a longer array. Of a longer string, `LONGEST_TEXT` characters are kept."""
 BYTES_PER_VALUE = 8
 
 
 def known_class(name: str) -> Any | None:
-    """Return the class of a message type such as "std_msgs/msg/String"; None if it's invalid or not installed."""
+    """Return the class of a message type such as "std_msgs/msg/String", or None if it's invalid or not installed."""
     try:
         return message_class(name)
     except (ValueError, LookupError):
@@ -26,8 +25,8 @@ def known_class(name: str) -> Any | None:
 def plain(value: Any) -> Any:
     """Convert a message or a field to dicts, lists, numbers, and strings.
 
-    Arrays and texts longer than 4096 elements are cut to `{"length": n, "sha256": "...", "first": [...]}`. An array's
-    hash covers its bytes in memory, a text's hash its UTF-8 bytes. An array of messages has no hash.
+    Arrays and strings longer than 4096 elements are cut to `{"length": n, "sha256": "...", "first": [...]}`. An array's
+    hash covers its bytes in memory, and a string's hash its UTF-8 bytes. An array of messages doesn't get a hash.
     """
     if isinstance(value, (bool, int, float)):
         return value
@@ -61,7 +60,8 @@ def _cut(length: int, first: Any, whole: bytes | None) -> dict[str, Any]:
 def with_features(data: Any, message: Any, features: Mapping[str, Feature]) -> Any:
     """Add the features that the exercise computes from a message to the message's plain data, and return the data.
 
-    A field with features becomes `{"length": n, "first": [...], "features": ...}`, with a hash if it's long. The
+    A *feature* is a value that an exercise computes from a large field while the whole message is available. A field
+    with features becomes `{"length": n, "first": [...], "features": ...}`, with a hash if the field is long. The
     features are None if they're too large, or if the exercise's function raises an exception, because messages are
     untrusted.
     """
@@ -95,7 +95,7 @@ def _data_only(told: Any) -> Any:
 
 
 def bytes_kept(data: Any) -> int:
-    """Estimate how many bytes the given plain data would take up in a message."""
+    """Estimate the number of bytes that plain data would take up in a message."""
     if isinstance(data, dict):
         return sum(map(bytes_kept, data.values()))
     if isinstance(data, list):

@@ -1,4 +1,7 @@
-"""Wait until a program is in the graph and is connected to the judge in both directions."""
+"""Wait until a program is in the graph and is connected to the judge in both directions.
+
+Two endpoints *match* when DDS has connected them.
+"""
 
 import time
 
@@ -16,8 +19,10 @@ AT_REST_S = 1.0
 ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 UNANSWERED_S = 0.5
-"""How long (s) to wait for nodes' responses once everything else is complete. After that, we assume that they don't
-spin."""
+"""How long (s) to wait for the nodes' responses once everything else is complete.
+
+After that, we assume that the nodes don't spin.
+"""
 SPINNING_S = 0.1
 """How long (s) a spinning node's new endpoints may take to reach us."""
 MATCH_S = 5.0
@@ -29,7 +34,7 @@ HELD_STEP_S = 0.003
 
 
 def wait_for_first_sign(session: Session) -> bool:
-    """Wait until one of the program's publishers is in the graph. Return False if none appeared in time.
+    """Wait until one of the program's publishers is in the graph. Return False if none appears in time.
 
     If the plan doesn't require a publisher (`node_suffices`), a node is enough.
     """
@@ -61,9 +66,9 @@ def wait_for_first_sign(session: Session) -> bool:
 def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
     """Return whether a program that hasn't appeared by `deadline` may still be starting.
 
-    On a busy machine, it may have had too little CPU time to import large libraries. A program in an endless loop has
-    used far more CPU time. A program that was last seen working a while ago (`at_work`, `time.monotonic`, s) has
-    nothing left to do.
+    On a busy machine, it may have had too little CPU time to import large libraries. But a program in an endless loop
+    has used far more CPU time. And a program that was last seen at work a while ago (at the time `at_work`,
+    `time.monotonic`, s) has finished its startup.
     """
     now = time.monotonic()
     if now > min(deadline + STARTS_LONGEST_S, at_work + AT_REST_S):
@@ -76,15 +81,15 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
     """Wait until all of the exercise's endpoints are connected with the judge, or until we give up on the missing ones.
 
     Before a switch to simulated time, pass the nodes' parameter `services`. A node that responds is spinning, so its
-    program has finished its setup. DDS sends nodes' names separately from publishers, and on a busy machine, the names
-    arrive much later. Without `services`, no request is sent, because a response runs a callback, which a program may
-    count. Instead, we wait until nothing new has appeared for a while.
+    program has finished its setup. ROS 2 announces node names separately from publishers, and on a busy machine, the
+    names arrive much later. Without `services`, we don't send requests, because each request would run a callback in
+    the program, which the program may count. Instead, we wait until nothing new has appeared for a while.
     """
     recorder = session.recorder
     looked = time.monotonic()
     deadline = looked + MATCH_S
     quiet_s = spinning_s = (
-        0.0  # time in which the program or this process waits for a core doesn't count as quiet
+        0.0  # time in which the program or this process waits for a core doesn't count
     )
     while (now := time.monotonic()) < deadline and session.process.is_running():
         spent = min(now - looked, POLL_S)
@@ -98,7 +103,7 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
                 return
         else:
             spinning = services.all_spin(recorder.present())
-            spinning_s += spent if spinning and quiet else 0.0  # another of its processes may be starting
+            spinning_s += spent if spinning and quiet else 0.0  # another of the program's processes may be starting
             if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
                 return
             if spinning_s > SPINNING_S:

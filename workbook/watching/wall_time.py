@@ -14,15 +14,17 @@ TAKE_EVERY_S = 0.05
 LOOK_EVERY_S = 0.1
 NOTE_EVERY_S = 0.2
 UNSCRIPTED_PACE = 4.0
-"""Without a script, we take messages less often, by this factor. That does no harm, because messages carry arrival
-times."""
+"""Without a script, we take messages less often, by this factor.
+
+That does no harm, because messages carry their arrival times.
+"""
 OWN_LOAD_EVERY_S = 0.5
 CONSTANTLY = 0.8
-"""The share of all processors' time that a program's other threads must want to count as filling the machine."""
+"""The fraction of all processors' time that a program's other threads must demand to count as filling the machine."""
 
 
 def precedence(pid: int) -> tuple[int, ...]:
-    """Return the nice value and scheduling policy of a process's first thread; empty if the process has ended."""
+    """Return the nice value and scheduling policy of a process's first thread, or () if the process has exited."""
     try:
         fields = stat_fields(pid)
         return int(fields[16]), int(fields[38])
@@ -31,7 +33,7 @@ def precedence(pid: int) -> tuple[int, ...]:
 
 
 def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
-    """Return how long (s) each thread of these processes has run or waited for a processor, by (process, thread)."""
+    """Return the seconds that each thread has spent running or waiting for a processor, by (process, thread)."""
     found = {}
     for pid in pids:
         for task in tasks(pid):
@@ -42,10 +44,10 @@ def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
 
 
 class OwnLoad:
-    """Detects whether a program itself is the reason that the first thread of its process `pid` waits for a processor.
+    """Detects whether a program itself is the reason why the first thread of its process `pid` waits for a processor.
 
-    The program is the reason if its other threads want enough CPU time to keep all processors busy. Whether they get
-    this time doesn't matter, so a busy machine doesn't change the result. The program is also the reason if it has
+    The program is the reason if its other threads demand enough CPU time to keep all processors busy. Whether they get
+    that time doesn't matter, so a busy machine doesn't change the result. The program is also the reason if it has
     lowered its own priority.
     """
 
@@ -57,7 +59,7 @@ class OwnLoad:
         self._steps_back = False
 
     def note(self) -> None:
-        """Poll the threads. Threads that have ended since the last poll keep their last value."""
+        """Poll the threads. Threads that have finished since the last poll keep their last value."""
         self._wanted |= wanted_processor_s(process_tree(self._pid))
         pairs = zip(precedence(self._pid), precedence(os.getpid()), strict=False)
         self._steps_back |= any(its > ours for its, ours in pairs)
@@ -77,10 +79,9 @@ class OwnLoad:
 
 
 def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bool] = lambda: False) -> None:
-    """Record for `seconds` of real time, or until the program ends. Store delays in `session.delays`.
+    """Record for `seconds` of real time, or until the program exits. Store delays in `session.delays`.
 
-    Return early if `cancel_soak`, which is called about as often as messages are taken, returns True, or if `is_lost`
-    does.
+    Return early if `cancel_soak`, which is called about as often as messages are taken, or `is_lost` returns True.
     """
     process, recorder, script_player, delays = (
         session.process,
@@ -129,10 +130,10 @@ def is_lost(session: Session) -> bool:
 
 
 def left_to_watch(session: Session) -> float:
-    """Return how much wall time (s) remains until every judged topic has been watched for the planned time.
+    """Return the wall time, in seconds, that remains until every judged topic has been watched as long as planned.
 
-    The planned time starts when the last topic is matched, or `script_player.late_s` seconds after the watch began if
-    that is later. New delays may move the start, so call this function until it returns zero or less.
+    The planned time starts when the last topic is matched, or `script_player.late_s` seconds after the watch began,
+    whichever is later. New delays may move the start, so call this function until it returns zero or less.
     """
     now = session.simulated_time(time.monotonic())
     since = map(session.recorder.matched_at, session.plan.topics)

@@ -19,19 +19,21 @@ from workbook.watching.wall_time import is_lost, left_to_watch, run_wall_time
 
 GONE_S = 6.0
 KEPT_LOOK_S = 0.25
-"""How often (s) `keep_watching` checks for cancellation. It notices the program's end right away."""
+"""How often (s) `keep_watching` checks for cancellation. It returns right away when the program exits."""
 MOST_DELAYED_S = 60.0
-"""A watch on the wall clock lasts at most this much longer (s) than planned, however late its script is."""
+"""The most time (s) by which a watch on the wall clock is extended because its script is late."""
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
 
 
 class Watch:
-    """Watches one program. `observe` makes the recording; the program then keeps running until the `with` block ends.
+    """The watch of one program.
 
-    A program is started as its author would start it. With the "simulated" clock, it's switched to simulated time once
-    its nodes are spinning. If that isn't possible, it's watched on the wall clock from then on. `keep_watching` extends
-    the watch of a program that was observed on the wall clock.
+    `observe` makes the recording; after that, the program keeps running until the `with` block is left.
+
+    The program is started as its author would start it. With the "simulated" clock, the program is switched to
+    simulated time once its nodes are spinning, or watched on the wall clock if that's impossible. `keep_watching`
+    extends the watch of a program that was observed on the wall clock.
     """
 
     def __init__(
@@ -55,7 +57,7 @@ class Watch:
     def observe(self, cancel_soak: Callable[[], bool] = lambda: False) -> Recording:
         """Watch the program as planned, and return the recording. The program keeps running.
 
-        On the wall clock, `cancel_soak` is called repeatedly, and if it returns True, the watch ends early.
+        On the wall clock, call `cancel_soak` repeatedly, and return early if it returns True.
         """
         if wait_for_first_sign(self._session):
             until = time.monotonic() + ANSWERS_WITHIN_S
@@ -120,7 +122,8 @@ class Watch:
     ) -> bool:
         """Keep a program on the wall clock running until `wall_s_after_match` (s) after its topics were matched.
 
-        Return True after that time or as soon as the program ends by itself, and False if `cancel_soak` returns True.
+        Return True after that time, or as soon as the program exits by itself. Return False if `cancel_soak` returns
+        True.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         while (left := until - time.monotonic()) > 0 and self._process.is_running():
@@ -183,10 +186,10 @@ class Watch:
     def finish(
         self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
     ) -> Recording:
-        """End the program with SIGINT, and add to `recording` how it ended.
+        """Stop the program with SIGINT, and add its exit to `recording`.
 
-        After `patience_s` (s), the program is killed. With `look_who_stays`, the graph is watched afterward, because a
-        program that ends properly removes its nodes from the graph.
+        If the program doesn't exit within `patience_s` (s), kill it. With `look_who_stays`, watch the graph afterward,
+        because a program that exits properly removes its nodes from the graph.
         """
         self._end_process(patience_s)
         if not look_who_stays:
@@ -194,7 +197,7 @@ class Watch:
         if self._session.context.ok():
             self._recorder.look_who_stays(GONE_S)
             nodes = self._recorder.nodes()
-            if any(node.stayed for node in nodes):  # the next program must not meet these nodes
+            if any(node.stayed for node in nodes):  # the next program must not discover these nodes
                 self._session.close()
                 self._session.place.move()
         else:

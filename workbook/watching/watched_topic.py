@@ -1,4 +1,4 @@
-"""Record one topic: keep its messages, and convert them to a TopicRecording."""
+"""Record one topic: keep its messages, and convert them to a `TopicRecording`."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -16,24 +16,26 @@ NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 LARGEST_MESSAGE_BYTES = 4_000_000
 SHOWN_BYTES = 1_000
 MOST_NOTED = 2_000
-"""The most messages, of each kind that isn't kept, whose arrival times are recorded."""
+"""The most arrival times recorded for each kind of message that isn't kept (broken, too large, or over the quota)."""
 LARGE_MESSAGE_BYTES = 16_000
-"""Messages larger than this many bytes are decoded right away, so that only their kept part uses memory."""
+"""Larger messages (in bytes) are decoded right away, so that only the part that we keep takes up memory."""
 LARGE_COSTS = 1 / 50
-"""The share of a large message's size that counts toward its topic's quota, because decoding takes time.
+"""The fraction of a large message's size that counts toward its topic's quota, because decoding takes time.
 
-The size of the kept part counts, too.
+The size of the part that we keep counts, too.
 """
 AWAITED_COSTS = 1 / 1000
-"""The same share if an exercise declares features of the topic's large fields. Ten seconds of camera images (640 by 480
-pixels, 30 Hz) then take half of the usual quota."""
+"""The same fraction if an exercise declares features of the topic's large fields.
+
+Ten seconds of camera images (640 by 480 pixels, 30 Hz) then take half of the usual quota.
+"""
 
 
 class RawArrival(NamedTuple):
-    """A message with its arrival times.
+    """A message with its arrival time.
 
-    `t`: when it arrived (simulated time, s). `wall` and `sent`: when it arrived and was sent (wall time, s). `raw`: its
-    bytes. `value`: a large message's plain data, instead of its bytes.
+    `t`: its arrival time (simulated time, s). `wall` and `sent`: the times at which it arrived and was sent (wall time,
+    s). `raw`: its bytes. `value`: instead of its bytes, a large message's plain data.
     """
 
     t: float
@@ -66,7 +68,7 @@ class WatchedTopic:
     def keep(self, t: float, wall: float, sent: float, raw: bytes) -> None:
         """Keep a message.
 
-        If it's broken, too large, or exceeds the quota, keep only its arrival time `t` (simulated time, s).
+        If the message is broken or too large, or exceeds the quota, keep only its arrival time `t` (simulated time, s).
         """
         if len(raw) > LARGEST_MESSAGE_BYTES:
             self._note(self.too_large, t)
@@ -83,7 +85,7 @@ class WatchedTopic:
     def _has_room(self, size: int, t: float, messages: int = 1) -> bool:
         """Take `size` bytes from the quota, and return whether they fit.
 
-        If not, no later message is kept, however small.
+        If they don't fit, no later message is kept, however small.
         """
         if self.quota.take(size, messages):
             return True
@@ -96,7 +98,7 @@ class WatchedTopic:
             moments.append(t)
 
     def decoded(self, raw: bytes) -> Any | None:
-        """Decode a message to plain data; None if the bytes don't fit the topic's type."""
+        """Decode a message to plain data, or None if the bytes don't fit the topic's type."""
         message_type = None if self.subscribed_type is None else known_class(self.subscribed_type)
         try:
             message = deserialize_message(raw, message_type)
@@ -105,7 +107,7 @@ class WatchedTopic:
             return None
 
     def latest(self) -> Any | None:
-        """Return the last message as plain data; None if it's broken or too large to show."""
+        """Return the last message as plain data, or None if it's broken or too large to show."""
         last = self.came[-1]
         value = self.decoded(last.raw) if last.value is None else last.value
         return value if bytes_kept(value) <= SHOWN_BYTES else None
@@ -117,7 +119,7 @@ class WatchedTopic:
         self.quota.clear()
 
     def is_known(self) -> bool:
-        """Return whether all endpoints' nodes are known and our subscription, if any, is matched."""
+        """Return whether the nodes of all endpoints are known, and our subscription, if any, is matched."""
         ends: list[PublisherSeen | SubscriberSeen] = [*self.publishers.values(), *self.subscribers.values()]
         named = not any(end.node.endswith(NODE_UNKNOWN) for end in ends)
         return named and (self.subscription is None or self.matched_at is not None)
@@ -134,13 +136,13 @@ def gid_of(info: Any) -> bytes:
 
 
 def deadline_of(info: Any) -> float | None:
-    """Return an endpoint's deadline (s); None if it has none."""
+    """Return an endpoint's deadline (s), or None if it has none."""
     deadline = info.qos_profile.deadline
     return None if deadline.nanoseconds >= Infinite.nanoseconds else deadline.nanoseconds / 1e9
 
 
 def lifespan_of(info: Any) -> float | None:
-    """Return a publisher's lifespan (s), after which its messages expire; None if they don't."""
+    """Return a publisher's lifespan (s), after which its messages expire, or None if they don't expire."""
     lifespan = info.qos_profile.lifespan
     return None if lifespan.nanoseconds >= Infinite.nanoseconds else lifespan.nanoseconds / 1e9
 
