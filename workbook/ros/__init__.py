@@ -1,7 +1,8 @@
-"""Make ROS safe for notebooks: domain leases, the environment, contexts and executors, and graph tools.
+"""Make ROS safe for notebooks, with domain leases, the environment, contexts and executors, and graph tools.
 
-Every layer above may import its modules. Functions for cells (`node_list`, `topic_echo`, …) are attributes of the
-package. They're imported on first use, because rclpy must not be imported before the environment is set.
+A *domain lease* reserves a ROS domain for one process. Every layer above may import these modules. Functions for cells
+(`node_list`, `topic_echo`, …) are attributes of the package. They're imported on first use, because rclpy must not be
+imported before the environment is set.
 """
 
 from importlib import import_module

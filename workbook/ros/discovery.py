@@ -1,4 +1,4 @@
-"""Wait until DDS discovery is complete, with a hidden, short-lived node that reads a domain's graph."""
+"""Wait until DDS discovery is complete, using a hidden, short-lived node that reads a domain's graph."""
 
 import os
 import sys
@@ -21,18 +21,18 @@ PATIENCE_S = 10.0
 Programs announce themselves every 3 s by default, and an announcement may get lost.
 """
 _LOOK_EVERY_S = 1.0
-"""While waiting, how often (s) we check whether a program is stopped."""
+"""How often (s) we check, while waiting, whether a process is stopped (Ctrl-Z)."""
 _QUIET_S = 0.1
 """Discovery counts as complete when nothing new has appeared for this long (s)."""
 _EMPTY_S = 1.0
-"""The same time (s) while a participant hasn't named its nodes, or an endpoint's node. It may have no nodes."""
+"""The same time (s) if a participant still hasn't announced nodes, or an endpoint's node. It may not have any."""
 _POLL_S = 0.005
 _FIRST_PARTICIPANT_PORT = 10
 """Offset of participant 0 within the ports of a domain (DDS-RTPS specification, section 9.6.1)."""
 
 
 def current_domain() -> int:
-    """Return this notebook's domain: the running default context's, or else the environment's."""
+    """Return this notebook's domain: the default context's if that context is running, or else the environment's."""
     context = get_default_context()
     return context.get_domain_id() if context.ok() else int(os.environ.get("ROS_DOMAIN_ID") or 0)
 
@@ -66,7 +66,7 @@ def discovery_node(domain_id: int | None = None) -> Iterator[Node]:
 
 
 def _participants(node: Node) -> set[bytes]:
-    """Return the participants discovered on the domain: one GUID prefix per process and context."""
+    """Return the GUID prefixes of the domain's discovered participants. Each context of a process is a participant."""
     infos = node.get_publishers_info_by_topic("ros_discovery_info", no_mangle=True)
     return {bytes(info.endpoint_gid[:12]) for info in infos}
 
@@ -79,7 +79,7 @@ def _ports_here(domain_id: int) -> set[int]:
 
 
 def _stopped(ports: set[int]) -> list[int]:
-    """Return the IDs of processes that hold some of these ports, but can't respond because they're stopped (Ctrl-Z)."""
+    """Return the IDs of processes that use some of these ports, but can't respond because they're stopped (Ctrl-Z)."""
     if not ports:
         return []
     halted = [pid for pid in pids() if _is_stopped(pid)]
@@ -95,9 +95,10 @@ def _is_stopped(pid: int) -> bool:
 
 @dataclass(frozen=True)
 class _View:
-    """A snapshot of the graph. `nameless`: whether an endpoint's node is still unknown.
+    """A snapshot of the graph.
 
-    `empty`: the number of participants without endpoints, minus the nodes without endpoints.
+    `nameless`: whether an endpoint's node is still unknown. `empty`: the number of participants without endpoints,
+    minus the number of nodes without endpoints.
     """
 
     endpoints: tuple[str, ...]
@@ -108,7 +109,7 @@ class _View:
 
     @property
     def complete(self) -> bool:
-        """Whether each discovered participant has named its nodes."""
+        """Whether each discovered participant has announced its nodes."""
         return not self.nameless and self.empty <= 0
 
 
@@ -132,7 +133,8 @@ def _view(node: Node) -> _View:
 def wait_for_graph(node: Node, limit: float = PATIENCE_S) -> None:
     """Wait until all of this machine's participants are discovered and nothing new appears, at most `limit` s.
 
-    Don't wait for stopped processes. If participants are missing in the end, print a warning to stderr.
+    Don't wait for stopped processes (Ctrl-Z). If participants are still missing after the wait, print a warning to
+    stderr.
     """
     domain_id = node.context.get_domain_id()
     known_before = len(_participants(node)) > 1

@@ -1,9 +1,9 @@
 """Lease ROS domains, so that no two processes lease the same one.
 
-A lease is an abstract Unix socket named after the domain. The kernel closes the socket when the process ends, however
-it ends, so no lease is left behind. It's a stream socket that never listens, so nothing can be sent to it and stay in
-memory until the lease ends. Domains 1 to 101 avoid Linux's ephemeral ports (UDP port = 7400 + 250 * domain + …,
-DDS-RTPS specification, section 9.6.1).
+A lease is an abstract Unix socket named after the domain. Linux closes the socket when the process exits or is killed,
+so no lease is left behind. It's a stream socket that never listens, so other processes can't fill its buffer with data.
+Domains 1 to 101 avoid Linux's ephemeral ports (UDP port = 7400 + 250 * domain + …, DDS-RTPS specification, section
+9.6.1).
 """
 
 import os
@@ -22,26 +22,26 @@ FIRST_DOMAIN = 1
 LAST_DOMAIN = 101
 """Domain 102's ports begin at 32900, which is in Linux's ephemeral range (from 32768)."""
 COOL_DOWN_S = 30.0
-"""How long (s) a domain isn't leased again after a kill.
+"""How long (s) a domain isn't leased again after one of its programs was killed.
 
-This is much longer than the liveliness lease, after which other participants forget one that vanished.
+This is much longer than the DDS liveliness lease, after which other participants forget a participant that vanished.
 """
 SOCKET_PREFIX = LEASE_PREFIX
 _private_prefix: str | None = None
 
 
 class NoDomainFree(RuntimeError):
-    """Every domain from 1 to 101 is in use or cooling down."""
+    """Raised when every domain from 1 to 101 is in use or cooling down."""
 
 
 def dds_port_range(domain_id: int) -> range:
-    """Return the UDP ports that a domain's participants may use."""
+    """Return the UDP ports that the participants in a domain may use."""
     start = 7400 + 250 * domain_id
     return range(start, start + 250)
 
 
 def domain_of_port(port: int) -> int | None:
-    """Return the ROS domain that a UDP port belongs to; None if it isn't a DDS port."""
+    """Return the ROS domain that a UDP port belongs to, or None if it isn't a DDS port."""
     domain_id = (port - 7400) // 250
     return domain_id if port >= 7400 and domain_id <= 232 else None
 
@@ -69,12 +69,13 @@ def _begin_cool_down(domain_id: int) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / str(domain_id)).touch()
     except OSError:
-        # no writable cache, so the domain is free right away, although its stale participant expires only after 2 s
+        # the cache isn't writable, so the domain is free right away, although its stale participant expires only after
+        # 2 s
         pass
 
 
 class DomainLease:
-    """A ROS domain that belongs to this process until `release` is called or the process ends."""
+    """A ROS domain that belongs to this process until it calls `release` or exits."""
 
     def __init__(self, domain_id: int, holder: socket.socket) -> None:
         self.domain_id = domain_id
@@ -84,8 +85,8 @@ class DomainLease:
     def release(self, killed: bool = False) -> None:
         """Release the domain.
 
-        `killed`: a program on it was killed, so it couldn't announce its end. Other programs would still discover its
-        stale participant, so the domain isn't leased again for 30 s.
+        `killed`: whether a program on the domain was killed. Such a program couldn't announce its departure, so other
+        programs would still discover its stale participant. That's why the domain isn't leased again for 30 s.
         """
         if self._holder is None:
             return
@@ -108,7 +109,7 @@ class DomainLease:
 def lease_in_private() -> None:
     """Use random names for this process's leases, because untrusted programs can see the names.
 
-    This is possible because the process has its own network.
+    Call this only in a process with its own network, whose domains can't clash with another process's.
     """
     global _private_prefix
     _private_prefix = os.urandom(8).hex()
@@ -125,10 +126,10 @@ def _try_lease(domain_id: int) -> DomainLease | None:
 
 
 def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> DomainLease:
-    """Lease a free domain from 1 to 101: `preferred` if it's free, and one of `avoid` only if no other is.
+    """Lease a free domain from 1 to 101: `preferred` if it's free, and one in `avoid` only if no other domain is free.
 
     Skip domains that another process holds, that are cooling down after a kill, or whose ports another process uses.
-    Raise NoDomainFree if none is left.
+    Raise NoDomainFree if no domain is left.
     """
     candidates = list(range(FIRST_DOMAIN, LAST_DOMAIN + 1))
     random.shuffle(candidates)
@@ -146,7 +147,7 @@ def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> Do
 
 
 def _why_none_is_free(ports: set[int]) -> str:
-    """Describe, in sentences, which processes hold the domains, and what to do."""
+    """Return sentences that name the processes that hold the domains, and say what to do."""
     holders = lease_holders()
     free = set(range(FIRST_DOMAIN, LAST_DOMAIN + 1)) - {holder.domain_id for holder in holders}
     resting = {domain_id for domain_id in free if _is_cooling_down(domain_id)}

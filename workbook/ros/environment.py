@@ -1,8 +1,8 @@
 """Set the environment variables of the workbook's ROS processes.
 
-rclpy and the message classes read these variables when they are first imported or when a context starts, so they must
-be set earlier. The ROS wheels restart Python once to set LD_LIBRARY_PATH. A child process may inherit that setting only
-together with the variable that marks it as done.
+rclpy and the message classes read these variables on their first import or when a context starts, so set the variables
+earlier. The ROS wheels restart Python once to set LD_LIBRARY_PATH. A child process may inherit that variable only
+together with the one that marks the restart as done.
 """
 
 import os
@@ -17,7 +17,7 @@ from workbook.ros.scratch import scratch_folder
 
 LOOPBACK_PROFILE = Path(__file__).with_name("loopback.xml")
 LEASE_S = 2
-"""The profile's liveliness lease (s): how long other participants remember one that vanished without announcing it."""
+"""The profile's liveliness lease (s): how long participants remember one that vanished without an announcement."""
 LOG_FORMAT = "[{severity}] [{name}]: {message}"
 
 _BOOTSTRAP_DONE = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
@@ -58,7 +58,7 @@ _log_folder: Path | None = None
 
 
 def uses_wheels() -> bool:
-    """Return whether rclpy comes from the pinned wheels, not from apt or RoboStack."""
+    """Return whether rclpy comes from the pinned wheels, rather than from apt or RoboStack."""
     try:
         metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -69,13 +69,13 @@ def uses_wheels() -> bool:
 def is_leftover(name: str) -> bool:
     """Return whether a variable may come from a sourced ROS or another environment.
 
-    Our processes drop such a variable.
+    Our processes drop such variables.
     """
     return name in _LEFTOVERS or name.startswith(_LEFTOVER_PREFIXES)
 
 
 def library_path(environ: Mapping[str, str]) -> dict[str, str]:
-    """Return the loader variables that a child may inherit: those that this environment's wheels have set."""
+    """Return the loader variables that a child process may inherit: those that this environment's wheels have set."""
     if not environ.get(_BOOTSTRAP_DONE):
         return {}
     folders = [folder for folder in environ.get("LD_LIBRARY_PATH", "").split(":") if folder]
@@ -88,8 +88,8 @@ def library_path(environ: Mapping[str, str]) -> dict[str, str]:
 def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dict[str, str]:
     """Return the ROS environment variables that restrict a process to loopback and one domain.
 
-    They also give plain log lines without timestamps. `check_fields` makes message classes reject values of the wrong
-    type, a check that ROS turns off by default.
+    They also make ROS print plain log lines without timestamps. `check_fields`: whether message classes reject values
+    of the wrong type, a check that ROS turns off by default.
     """
     settings = {
         "ROS_DOMAIN_ID": str(domain_id),
@@ -105,7 +105,7 @@ def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dic
 
 
 def own_log_folder() -> Path:
-    """Return the folder for this process's ROS log files. It's removed when the process ends."""
+    """Return the folder for this process's ROS log files. The folder is removed when the process exits."""
     global _log_folder
     if _log_folder is None or not _log_folder.is_dir():
         _log_folder = scratch_folder("log")
@@ -121,7 +121,7 @@ def profile_with_lease(folder: Path, lease_s: int) -> Path:
 def profile_with_default_times(folder: Path) -> Path:
     """Write a loopback profile into `folder` with Fast DDS's default discovery times: an announcement every 3 s.
 
-    Without any profile, Fast DDS would also use shared memory, which a killed program leaves behind.
+    Without a profile, Fast DDS would also use shared memory, which a killed program leaves behind.
     """
     return _changed_profile(folder, r"(?s)\s*<discovery_config>.*</discovery_config>", "")
 
@@ -148,7 +148,8 @@ def child_environment(
             name: value for name, value in os.environ.items() if not name.startswith(("ROS_PYTHON_CHECK",))
         }
     environ |= ros_settings(domain_id, check_fields=check_fields, log_folder=folder)
-    # Otherwise, NumPy and OpenCV start a thread per processor in every node, and these count as processes.
+    # Otherwise, NumPy and OpenCV start a thread per processor in every node, and these threads count toward the limit
+    # on processes.
     environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
     environ["PYTHONUNBUFFERED"] = "1"
@@ -164,7 +165,7 @@ def prepare(
 ) -> int:
     """Set up this process before its first ROS import, and return its domain.
 
-    Without `domain_id`, the process leases a domain until it ends. It's safe to call this function again.
+    Without `domain_id`, the process leases a domain until it exits. It's safe to call this function again.
     """
     global _kernel_lease
     environ = os.environ if environ is None else environ
@@ -180,7 +181,7 @@ def prepare(
 
 
 def is_prepared(environ: Mapping[str, str] | None = None) -> bool:
-    """Return whether an environment has the loopback profile. The default is this process's environment."""
+    """Return whether an environment (default: this process's) sets the loopback profile."""
     return (os.environ if environ is None else environ).get("FASTRTPS_DEFAULT_PROFILES_FILE") == str(
         LOOPBACK_PROFILE
     )

@@ -1,4 +1,4 @@
-"""Provide an executor that runs one callback at a time and returns whether one ran."""
+"""Provide an executor whose `step` runs at most one callback and returns whether one ran."""
 
 import os
 import sysconfig
@@ -17,13 +17,13 @@ from rclpy.executors import (
 )
 
 TAKING = ("_take_subscription", "_take_client", "_take_service")
-"""Methods of an rclpy executor that create a message, a response, or a request."""
+"""The methods of an rclpy executor that create a message, a response, or a request."""
 _INTERNAL = tuple(f"{Path(file).parent}{os.sep}" for file in (rclpy.__file__, __file__))
 _LIBRARY = (f"{sysconfig.get_paths()['stdlib']}{os.sep}", "<frozen ")
 
 
 def callback_traceback(error: BaseException) -> TracebackType | None:
-    """Return the traceback of `error` from the first frame outside rclpy and the workbook; None if there is none."""
+    """Return the traceback of `error` from the first frame outside rclpy and the workbook on, or None without one."""
     trace = error.__traceback__
     while trace is not None and trace.tb_frame.f_code.co_filename.startswith(_INTERNAL):
         trace = trace.tb_next
@@ -31,7 +31,7 @@ def callback_traceback(error: BaseException) -> TracebackType | None:
 
 
 def callback_place(error: BaseException) -> str:
-    """Return the name and line of the callback in which `error` was raised; empty if it wasn't raised in one."""
+    """Return the name and line of the callback that raised `error`, or "" if no callback did."""
     frames = traceback.extract_tb(callback_traceback(error), limit=1)
     return f"{frames[0].name}(), line {frames[0].lineno}: {frames[0].line}" if frames else ""
 
@@ -39,9 +39,9 @@ def callback_place(error: BaseException) -> str:
 def in_code_of_a_node(frame: FrameType | None) -> bool:
     """Return whether this frame, or one of its callers, belongs to a node's callback.
 
-    Libraries don't count. Nor does a message class while rclpy takes a message, because an exception there would be
-    lost in C++. Nor does rclpy's own code between two callbacks, because an exception there would leave the callback
-    group locked.
+    Libraries don't count as callbacks. Nor does a message class while rclpy takes a message, because an exception there
+    would be lost in C++. Nor does rclpy's own code between two callbacks, because an exception there would leave the
+    callback group locked.
     """
     found = False
     while frame is not None and frame.f_code is not SteppingExecutor.step.__code__:
@@ -53,7 +53,7 @@ def in_code_of_a_node(frame: FrameType | None) -> bool:
 
 
 def _is_of_library(file: str) -> bool:
-    """Return whether a file belongs to rclpy, the workbook, or Python's standard library, which both of them use."""
+    """Return whether a file belongs to rclpy, the workbook, or Python's standard library."""
     return file.startswith(_INTERNAL) or (file.startswith(_LIBRARY) and "-packages" not in file)
 
 
@@ -62,12 +62,13 @@ class SteppingExecutor(SingleThreadedExecutor):
 
     def __init__(self, context: Context) -> None:
         super().__init__(context=context)
-        # Always pass the same object, so that rclpy returns all callbacks that one wait found before it waits again.
+        # Always pass the same object, so that rclpy returns all callbacks that one wait found ready before it waits
+        # again.
         self._timeout = TimeoutObject(0.0)
         self.in_callback = False
 
     def step(self, wait: float) -> bool:
-        """Run the next callback, waiting for it at most `wait` seconds. Return whether one ran.
+        """Run the next callback, after waiting at most `wait` seconds for it. Return whether one ran.
 
         Raise the callback's exception, or ExternalShutdownException if the context is shut down.
         """

@@ -1,4 +1,4 @@
-"""Shut ROS down when this process exits, even if the program forgot to.
+"""Shut ROS down when this process exits, even if the program doesn't.
 
 If a thread still waits inside rclpy during Python's shutdown, the process aborts. So we first shut contexts down, then
 join the spinning threads, and then destroy executors and nodes while their dependencies still exist.
@@ -16,7 +16,7 @@ from contextlib import suppress
 from typing import Any
 
 _JOIN_LIMIT_S = 2.0
-"""The longest wait for all spinning threads together. A callback that never returns must not keep the process alive."""
+"""The longest wait (s) for all spinning threads together. A callback that never returns mustn't block the exit."""
 _registered = False
 
 
@@ -32,7 +32,7 @@ def register() -> None:
 
 
 def _instances(*kinds: type) -> Iterable[Any]:
-    """Return all instances of these classes and their subclasses, out of a notebook's half a million objects."""
+    """Return all instances of these classes and their subclasses. A notebook has half a million objects to search."""
     waiting = list(kinds)
     family: dict[int, type] = {}
     while waiting:
@@ -85,9 +85,9 @@ def shut_down_ros() -> None:
 
 
 def _skip_garbage_collection() -> None:
-    """Skip Python's final garbage collection, which takes half a second in a notebook and frees nothing that we need.
+    """Skip Python's final garbage collection, which takes half a second in a notebook for no benefit.
 
-    Flush all files first, because that collection would have flushed those in reference cycles.
+    Flush all files first, because the collection would have flushed the files in reference cycles.
     """
     for file in _instances(io.TextIOWrapper, io.BufferedWriter, io.BufferedRandom):
         with suppress(Exception):

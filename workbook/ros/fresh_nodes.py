@@ -1,4 +1,4 @@
-"""Create nodes that replace their duplicates when a cell runs again, so that no two nodes have the same name."""
+"""Create nodes that replace the nodes of the same name when a cell runs again, so that no duplicates remain."""
 
 import threading
 import weakref
@@ -19,7 +19,7 @@ _made: "weakref.WeakValueDictionary[_Key, Node]" = weakref.WeakValueDictionary()
 
 
 def destroy(node: Node) -> None:
-    """Remove a node from its executor and destroy it. Do nothing if it was already destroyed."""
+    """Remove a node from its executor, and destroy the node unless it was already destroyed."""
     executor = node.executor
     if executor is not None:
         executor.remove_node(node)
@@ -37,7 +37,7 @@ def destroy_all() -> None:
 
 
 def nodes_in(context: Context) -> list[Node]:
-    """Return the nodes in `context` that were made with `fresh` and not destroyed."""
+    """Return the nodes in `context` that were made with `fresh` and haven't been destroyed."""
     return [node for node in _made.values() if node.context is context and context.ok() and _is_alive(node)]
 
 
@@ -62,8 +62,8 @@ def fresh(
 ) -> Made:
     """Call `make(*args, **kwargs)`, and replace nodes of the same name that an earlier run of the cell made.
 
-    `make` is a node class, or a function that makes one or more nodes. `name` and `namespace` rename the first of these
-    nodes, even if its class doesn't take such arguments.
+    `make` is a node class, or a function that makes one or more nodes. `name` and `namespace` rename the first node
+    that `make` creates, even if its class doesn't take such arguments.
     """
     with _replacing(name, namespace) as made:
         try:
@@ -77,7 +77,7 @@ def fresh(
 
 @contextmanager
 def _replacing(new_name: str | None, new_namespace: str | None) -> Iterator[list[Node]]:
-    """While the block runs, have each node that this thread makes replace an earlier one of the same name."""
+    """While the block runs, let each node that this thread makes replace an earlier node of the same name."""
     here = threading.get_ident()
     made: list[Node] = []
     original = Node.__init__

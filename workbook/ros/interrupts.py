@@ -1,11 +1,11 @@
 """Make rclpy calls in a notebook cell obey the Interrupt button.
 
-rclpy waits inside C until something happens. With idle nodes, nothing ends that wait, because the kernel has replaced
-the signal handler that would. Waiting in slices lets Python raise KeyboardInterrupt. The kernel, not rclpy, handles
-SIGINT. Otherwise, an Interrupt would also shut down all nodes' context.
+rclpy waits in C code until an entity is ready. With idle nodes, an Interrupt doesn't end that wait, because the
+notebook's kernel has replaced rclpy's signal handler. So we wait in short slices, between which Python can raise
+KeyboardInterrupt. We don't restore rclpy's handler, because it would also shut down the nodes' context.
 
-An Interrupt may arrive while rclpy's C++ part creates a message. Without our changes, it would become a RuntimeError
-that doesn't mention it, and would leave the subscription's callback group locked.
+An Interrupt may also arrive while rclpy's C++ code creates a message. Without our changes, it would turn into a
+RuntimeError that doesn't mention the Interrupt, and would leave the subscription's callback group locked.
 """
 
 import functools
@@ -18,7 +18,7 @@ from rclpy.executors import Executor, TimeoutException, TimeoutObject
 from workbook.ros.executor import TAKING
 
 SLICE_S = 0.1
-"""The longest delay of an Interrupt. With shorter slices, an idle node would use more CPU time."""
+"""The longest delay (s) of an Interrupt. With shorter slices, an idle node would use more CPU time."""
 
 
 _OF_AN_INTERRUPT = "Unable to convert call argument"
@@ -59,9 +59,9 @@ def install() -> None:
 
 
 def _interruptible(take: Any) -> Any:
-    """Wrap an executor's method to raise KeyboardInterrupt if pybind11 has turned one into another error.
+    """Wrap an executor's method so that it raises KeyboardInterrupt if pybind11 has turned one into another error.
 
-    The wrapper then also releases the callback group, as rclpy's handler does after a callback.
+    In that case, the wrapper also releases the callback group, as rclpy's handler does after a callback.
     """
 
     @functools.wraps(take)

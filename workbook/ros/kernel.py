@@ -1,4 +1,4 @@
-"""Set up ROS in a notebook kernel once, after the environment was prepared."""
+"""Set up ROS in a notebook's kernel, once its environment variables are set."""
 
 import os
 

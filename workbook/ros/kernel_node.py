@@ -1,4 +1,4 @@
-"""Keep a hidden node for as long as the kernel runs, so that discovery is already complete when the node is needed."""
+"""Keep a hidden node for as long as the kernel runs, so that discovery is already complete when we need the node."""
 
 import atexit
 import os
@@ -14,9 +14,9 @@ _node: Node | None = None
 
 
 def kernel_node() -> Node:
-    """Return this kernel's hidden node, created on first use in a separate context. It needn't be spun.
+    """Return this kernel's hidden node, which is created on first use in a separate context and needn't be spun.
 
-    If the kernel has moved to another domain, re-create the node. A call that creates it waits for discovery.
+    If the kernel has moved to another domain, re-create the node. A call that creates the node waits for discovery.
     """
     global _node
     domain_id = int(os.environ["ROS_DOMAIN_ID"])
@@ -43,7 +43,7 @@ def kernel_node() -> Node:
 
 
 def close_kernel_node() -> None:
-    """Destroy the hidden node and shut its context down. Do nothing if there is none."""
+    """Destroy the hidden node, if there is one, and shut its context down."""
     global _node
     if _node is not None:
         context = _node.context

@@ -1,7 +1,7 @@
-"""Find the holders of leases on ROS domains. We ask Linux where possible, so that no process can blame another.
+"""Find the holders of leases on ROS domains. We ask Linux where possible, so that a process can't blame another.
 
-A holder announces its process ID and start time in the name of a second abstract Unix socket. Linux reports each
-socket's user, even without an announcement, and an announced process counts only if it belongs to that user.
+A holder announces its process ID and the lease's start time in the name of a second abstract Unix socket. Linux reports
+each socket's user, even without an announcement, and an announced process counts only if it belongs to that user.
 """
 
 import os
@@ -32,7 +32,10 @@ _PATIENCE_S = 2.0
 
 @dataclass(frozen=True, order=True)
 class Holder:
-    """The holder of a domain's lease. Unknown values are None or empty. `since`: a Unix timestamp in seconds."""
+    """The holder of a domain's lease. Unknown values are None or "".
+
+    `since`: the start of the lease, as a Unix timestamp in seconds.
+    """
 
     domain_id: int
     user: int | None
@@ -42,7 +45,7 @@ class Holder:
 
 
 def announce_lease(domain_id: int) -> socket.socket | None:
-    """Announce that this process holds a domain, until the returned socket is closed.
+    """Announce that this process holds a domain. The announcement lasts until the returned socket is closed.
 
     Return None if the announcement is impossible.
     """
@@ -74,7 +77,7 @@ def lease_holders() -> list[Holder]:
 
 
 def who_holds_them(holders: Sequence[Holder], own: int | None = None) -> str:
-    """Describe, in sentences, who holds leases, and what to do. `own`: the reader's user ID (default: ours)."""
+    """Return sentences that name leases' holders and say what to do. `own`: the reader's user ID (default: ours)."""
     own = os.getuid() if own is None else own
     groups = Counter((one.user, one.pid, one.command) for one in holders)
     since = {(one.user, one.pid, one.command): one.since for one in reversed(holders)}
@@ -132,7 +135,7 @@ def _user(user: int | None) -> str:
 
 
 def _command(pid: int) -> str:
-    """Return the start of a process's command line. It is untrusted text."""
+    """Return the start of a process's command line, without control characters, because it's untrusted."""
     said = proc.command_line(pid).replace(b"\0", b" ").decode(errors="replace").replace("`", "'")
     text = " ".join("".join(one if one.isprintable() else " " for one in said).split())
     return text if len(text) <= LONGEST_COMMAND else f"{text[: LONGEST_COMMAND - 1]}…"
@@ -159,7 +162,7 @@ def _abstract_sockets() -> list[tuple[str, int | None]]:
 
 
 def _asked_of_the_kernel() -> Iterator[tuple[str, int | None]]:
-    """Ask Linux for each abstract socket, and yield its name and user. May raise OSError.
+    """Ask Linux for all abstract sockets, and yield each one's name and user. Raises OSError if Linux refuses.
 
     The user is None before Linux 5.3. See sock_diag(7).
     """

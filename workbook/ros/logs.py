@@ -1,8 +1,8 @@
 """Print ROS log lines in the right order with other output.
 
-rclpy writes log lines to the process's stderr, bypassing Python. A notebook shows them late and in varying order, and
-pytest doesn't show them at all. With this module, Python prints the lines of Python loggers, while ROS still sends them
-to /rosout. Log lines from the C libraries still go to stderr.
+rclpy writes log lines to the process's stderr, bypassing Python. A notebook shows these lines late and in varying
+order, and pytest doesn't show them at all. With this module, Python prints the lines that Python code logs through
+rclpy, while ROS still sends them to /rosout. Log lines from the C libraries still go to stderr.
 """
 
 import ctypes
@@ -25,7 +25,7 @@ def format_line(severity: int, name: str, message: str) -> str:
 
 
 class _Rosout:
-    """A context manager that sends log lines only to /rosout."""
+    """A context manager in which ROS sends log lines only to /rosout."""
 
     def __init__(self) -> None:
         rcutils = ctypes.CDLL(_library("rcutils"))
@@ -54,7 +54,7 @@ def _library(name: str) -> str:
 
 
 def install() -> bool:
-    """Print the lines of Python loggers from now on. It's safe to call this function again.
+    """From now on, print the lines that Python code logs through rclpy. It's safe to call this function again.
 
     Return False, without changing anything, if the ROS libraries lack a required function.
     """

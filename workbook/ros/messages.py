@@ -7,13 +7,13 @@ from typing import Any
 def message_class(type_name: str) -> Any:
     """Return the class of a message type such as "std_msgs/msg/String".
 
-    Raise ValueError if the name has another form, and LookupError if the type isn't installed.
+    Raise ValueError if the name isn't of this form, and LookupError if the type isn't installed.
     """
     return _interface(type_name, "msg", "a message type; one looks like std_msgs/msg/String")
 
 
 def service_class(type_name: str) -> Any:
-    """Return the class of a service type such as "std_srvs/srv/Trigger". Errors are as in `message_class`."""
+    """Return the class of a service type such as "std_srvs/srv/Trigger". Raise the same errors as `message_class`."""
     return _interface(type_name, "srv", "a service type; one looks like std_srvs/srv/Trigger")
 
 

@@ -1,7 +1,7 @@
 """Register open notebooks, and list those on this machine with their domains.
 
-An open notebook holds an abstract Unix socket whose name contains all data. Linux lists these names in /proc/net/unix
-and removes them when the process ends, so there are no stale entries.
+Each open notebook's kernel holds an abstract Unix socket whose name contains all the data. Linux lists these names in
+/proc/net/unix and removes a name when its process exits, so there are no stale entries.
 """
 
 import os
@@ -29,13 +29,16 @@ class OpenNotebook:
 
 
 def notebook_label() -> str:
-    """Return the name of this kernel's notebook, if Jupyter reports it. An exercise's label begins with "exercise"."""
+    """Return the name of this kernel's notebook, or "notebook" if Jupyter doesn't report it.
+
+    An exercise's label begins with "exercise".
+    """
     path = Path(os.environ.get("JPY_SESSION_NAME", ""))
     return f"exercise {path.stem}" if path.parent.name == "exercises" else path.stem or "notebook"
 
 
 def announce(domain_id: int, label: str | None = None) -> None:
-    """Register this process as an open notebook on `domain_id` until it ends. Do nothing if that's impossible."""
+    """Register this process as an open notebook on `domain_id` until it exits. Do nothing if that's impossible."""
     global _announced
     withdraw()
     name = f"{SOCKET_PREFIX}{domain_id}/{os.getpid()}/{quote(label or notebook_label(), safe='')}"

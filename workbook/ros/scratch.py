@@ -1,4 +1,4 @@
-"""Create temporary folders that are removed when the process ends."""
+"""Create temporary folders that are removed when the process exits."""
 
 import atexit
 import os
@@ -24,7 +24,7 @@ def _is_running(pid: int) -> bool:
 
 
 def sweep_scratch() -> None:
-    """Remove the folders of processes that were killed before they could clean up."""
+    """Remove the temporary folders of processes that were killed before they could clean up."""
     for folder in Path(tempfile.gettempdir()).glob(f"{_prefix()}*"):
         pid = folder.name.removeprefix(_prefix()).split("-")[0]
         if pid.isdigit() and not folder.is_symlink() and not _is_running(int(pid)):
@@ -41,7 +41,7 @@ def remove_scratch(folder: Path) -> None:
 
 
 def scratch_folder(purpose: str) -> Path:
-    """Create a private folder, and remove it when this process ends. After a kill, the next call removes it."""
+    """Create a private folder that's removed when this process exits, or, after a kill, by any process's next call."""
     sweep_scratch()
     folder = Path(tempfile.mkdtemp(prefix=f"{_prefix()}{os.getpid()}-{purpose}-"))
     atexit.register(_remove_in, os.getpid(), folder)

@@ -30,15 +30,15 @@ from workbook.ros.executor import (
 from workbook.ros.fresh_nodes import fresh as fresh
 
 LONGEST_WAIT_S = 0.02
-"""The longest wait in the wait set if nothing else is ready: short enough for Jupyter's widgets."""
+"""The longest wait (s) in the wait set while nothing else is ready: short enough for Jupyter's widgets."""
 SHORTEST_WAIT_S = 0.0005
-"""The wait in the wait set while other tasks of the event loop are ready."""
+"""The wait (s) in the wait set while other tasks of the event loop are ready."""
 LONGEST_ITERATION_S = 0.005
-"""How long callbacks may run in a row before the event loop gets its turn."""
+"""How long (s) callbacks may run in a row before the event loop gets its turn."""
 CALLBACK_TIME_PER_FRAME = 3.0
-"""After a frame is drawn, only callbacks run for a while: this many times as long as drawing the frame took."""
+"""After a frame was drawn, only callbacks run for this many times as long as the drawing took."""
 _SYNC_WAIT_S = 0.05
-"""The wait in the wait set in code without `await`, where nothing else is waiting."""
+"""The longest wait (s) in the wait set in code without `await`, where nothing else is waiting."""
 
 Condition = Callable[[], object] | Future | None
 
@@ -51,25 +51,25 @@ class _ShownAsSentence:
 
 
 class Stopped(_ShownAsSentence, asyncio.CancelledError):
-    """The reader pressed Stop (Interrupt) while `run` was running. The nodes are still there."""
+    """Raised when the reader presses Stop (Interrupt) while `run` is running. The nodes still exist."""
 
 
 class StoppedInBetween(_ShownAsSentence, KeyboardInterrupt):
-    """The reader pressed Stop (Interrupt) while `spin_for` was running. The nodes are still there."""
+    """Raised when the reader presses Stop (Interrupt) while `spin_for` is running. The nodes still exist."""
 
 
 def init(args: list[str] | None = None) -> None:
     """Start ROS in this notebook. Do nothing if it's already running.
 
     In plain Python, without the kernel's setup, this function also sets the environment variables. They keep traffic on
-    this machine, and a killed process then leaves nothing in `/dev/shm`.
+    this machine and turn off shared memory, so that a killed process doesn't leave files in `/dev/shm`.
     """
     exit_cleanup.register()
     if get_default_context().ok():
         return
     if not is_prepared():
         prepare()
-    try_shutdown()  # clear a context that something else has shut down
+    try_shutdown()  # clear a context that other code has shut down
     rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
 
 
@@ -130,7 +130,7 @@ def serving(*nodes: Node | Iterable[Node]) -> Iterator[SteppingExecutor]:
 
 
 class _Interrupts:
-    """Turns an Interrupt into a flag and, inside of a callback, into KeyboardInterrupt."""
+    """Turns an Interrupt into a flag and, inside a callback, into KeyboardInterrupt."""
 
     def __init__(self, executor: SteppingExecutor) -> None:
         self._executor = executor
@@ -189,7 +189,7 @@ class _SpinRun:
         started = time.monotonic()
         wait_end = min(until, started + longest_wait, self.end)
         try:
-            # Run at least one step, so that slow frames can't block messages forever.
+            # Run at least one step, so that slow frames can't hold up messages forever.
             while self.executor.step(max(0.0, wait_end - time.monotonic())):
                 if (
                     self.interrupts.requested
@@ -222,12 +222,12 @@ async def run(
     each_frame: Callable[[], object] | None = None,
     fps: float = 15.0,
 ) -> Any:
-    """Run nodes for `seconds` s of real time, or until a condition is true. Buttons and Stop keep working.
+    """Run nodes for `seconds` s of real time, or until a condition is true. Buttons and Stop keep working meanwhile.
 
     `until` is a function that is called after each callback, or a Future whose result is returned; `seconds` is the
     limit. With `seconds=None`, nodes run until Stop is pressed. `each_frame` is called `fps` times a second and once at
-    the end; an awaitable result is awaited. If frames are slow, `each_frame` is called less often, so that at least
-    three quarters of the time remain for callbacks.
+    the end. If it returns an awaitable, `run` awaits it. If frames are slow, `each_frame` is called less often, so that
+    at least three quarters of the time remain for callbacks.
 
     Raise a callback's exception, TimeoutError if `until` didn't become true, or Stopped on Interrupt.
     """
@@ -260,7 +260,7 @@ async def run(
 
 
 def _free_time() -> float:
-    """Return how long (s) this iteration may wait without delaying widgets and other tasks of the notebook."""
+    """Return the time, in seconds, that this iteration may wait without delaying widgets and the event loop's tasks."""
     loop = asyncio.get_running_loop()
     ready = getattr(loop, "_ready", None)
     timers = getattr(loop, "_scheduled", None)
@@ -291,7 +291,7 @@ async def live(
 
 
 def spin_for(*nodes: Node | Iterable[Node], seconds: float = 1.0, until: Condition = None) -> Any:
-    """Run nodes as `run` does, but in code without `await`: nothing else happens in the notebook in the meantime.
+    """Run nodes as `run` does, but in code without `await`, so nothing else runs in the notebook in the meantime.
 
     Raise a callback's exception, TimeoutError if `until` didn't become true, or KeyboardInterrupt on Interrupt.
     """

@@ -8,7 +8,7 @@ from workbook.templating import render
 
 @dataclass(frozen=True)
 class Table:
-    """Rows below a header. `empty` is shown if there are none."""
+    """Rows below a header. `empty` is the text to show if there are no rows."""
 
     title: str
     header: tuple[str, ...]
@@ -29,7 +29,7 @@ class Table:
         )
 
     def _below_each_other(self) -> str:
-        """Return each row as a line with its first cell and, indented below it, its other cells."""
+        """Return each row as a line with its first cell and, indented below that line, its other cells."""
         wide = max(map(len, self.header[1:]))
         lines = []
         for first, *rest in self.rows:

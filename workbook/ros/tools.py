@@ -1,8 +1,8 @@
-"""Read the ROS graph as data, for a notebook or a terminal, like the `ros2` command.
+"""Read the ROS graph as data, for a notebook or a terminal, as the `ros2` command does.
 
 Each function reads this notebook's domain, or another `domain`, and includes nodes of this kernel and of other
-processes. It returns plain data that notebooks show as an HTML table and terminals as text. Hidden entries (names that
-begin with an underscore, /rosout, /parameter_events, parameter services) are left out unless `hidden=True`.
+processes. The result is plain data that notebooks show as an HTML table and terminals as text. Hidden entries (names
+that begin with an underscore, /rosout, /parameter_events, parameter services) are left out unless `hidden=True`.
 """
 
 from collections.abc import Callable, Iterable
@@ -31,7 +31,7 @@ _NODE_SERVICES = (
 
 
 class NotFound(LookupError):
-    """No node or topic has that name. The message lists the existing ones."""
+    """Raised when no node or topic has a given name. The message lists the existing ones."""
 
 
 class TopicSummary(NamedTuple):
@@ -44,7 +44,7 @@ class TopicSummary(NamedTuple):
 
 
 class Endpoint(NamedTuple):
-    """A topic's publisher or subscription. QoS values are text, such as "best effort" or "0.5 s"."""
+    """A topic's publisher or subscription. QoS values are strings, such as "best effort" or "0.5 s"."""
 
     node: str
     type: str
@@ -183,7 +183,7 @@ class Graph(Shown):
         return [f"✗ {one.topic}: {one.reason}" for one in self.broken]
 
     def text(self, columns: int | None = None) -> str:
-        """Return one topic per line, with its type below it if the line is too long.
+        """Return one topic per line, with its type on the next line if the line is too long.
 
         The reasons for broken arrows follow.
         """
@@ -260,7 +260,7 @@ def _endpoint(info: Any) -> Endpoint:
 
 
 def not_found(kind: str, name: str, known: Iterable[str]) -> NotFound:
-    """Return the error for a missing name, with the most similar existing one."""
+    """Return the exception for a missing name, which suggests the most similar existing name."""
     names = sorted(set(known))
     if not names:
         return NotFound(f"There is no {kind} {name}, nor any other. Is a node running?")
@@ -307,7 +307,7 @@ def node_info(name: str, *, hidden: bool = False, domain: int | None = None) -> 
 
 
 def topic_list(types: bool = True, *, hidden: bool = False, domain: int | None = None) -> TopicList:
-    """Return all topics, with types and numbers of publishers and subscriptions. `types=False` displays only names."""
+    """Return all topics, with types and numbers of publishers and subscriptions. `types=False`: display names only."""
     with discovery_node(domain) as node:
         wait_for_graph(node)
         found = TopicList(topics_seen(node, hidden))

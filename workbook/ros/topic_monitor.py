@@ -19,17 +19,17 @@ from workbook.ros.tables import Shown, Table
 OnSilence = Callable[[Sequence[str]], None]
 _CLOCK = "/clock"
 _SILENT_S = 1.0
-"""If a published topic has no message for this long (s), its publisher may be waiting for /clock."""
+"""If no message arrives on a published topic for this long (s), its publisher may be waiting for /clock."""
 _QUEUE = 100
 """The subscription's queue depth: enough for a second of messages at 100 Hz while a cell draws."""
 _POLL_S = 0.02
 _LONGEST_LIST = 32
-"""How many elements of a list are shown. More would bury the other fields."""
+"""The most elements of a list that are shown. More would bury the message's other fields."""
 
 
 @dataclass(frozen=True, repr=False)
 class Echo:
-    """A topic's messages in the order of arrival. `times`: when each message arrived (s since the first message)."""
+    """A topic's messages in the order of arrival. `times`: each message's arrival time (s since the first message)."""
 
     topic: str
     type: str
@@ -54,7 +54,7 @@ class Echo:
 class Rate(Shown):
     """A topic's rate: the number of messages in `seconds` s, the mean rate (Hz), and the shortest and longest gap (s).
 
-    The rate and the gaps are None if there is no gap.
+    The rate and the gaps are None if fewer than two messages arrived.
     """
 
     topic: str
@@ -68,7 +68,7 @@ class Rate(Shown):
     """The topic's publishing nodes that wait for /clock."""
 
     def line(self) -> str:
-        """Describe the mean rate, the number of messages, and the shortest and longest gap in a line."""
+        """Describe the mean rate, the number of messages, and the shortest and longest gap on one line."""
         if self.mean_hz is None:
             return f"{self.count or 'no'} message{'' if self.count == 1 else 's'} yet: no rate"
         return (
@@ -94,7 +94,7 @@ class Rate(Shown):
 
 
 def clock_notes(held: Iterable[str]) -> list[str]:
-    """Return sentences for each node that waits for /clock: why it publishes nothing, and what to do."""
+    """Return sentences for each node that waits for /clock: why it doesn't publish, and what to do."""
     return [
         f"{node} uses simulated time (use_sim_time), but no node publishes {_CLOCK}. So its timers wait. "
         "Start it without use_sim_time."
@@ -153,7 +153,7 @@ def _number(part: Any) -> Any:
 
 
 def _matching_qos(node: Node, topic: str) -> QoSProfile:
-    """Return a QoS that is compatible with all of the topic's publishers: transient local if all of them offer that."""
+    """Return a QoS that's compatible with all of the topic's publishers: transient local if all of them offer that."""
     offered = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
     reliable = bool(offered) and all(qos.reliability == ReliabilityPolicy.RELIABLE for qos in offered)
     keeps = bool(offered) and all(qos.durability == DurabilityPolicy.TRANSIENT_LOCAL for qos in offered)
@@ -168,7 +168,7 @@ def _matching_qos(node: Node, topic: str) -> QoSProfile:
 class _Source:
     """A topic, its domain, and the nodes to run while messages are collected.
 
-    None stands for this notebook's domain, and for all nodes made with `fresh`.
+    `domain`: None for this notebook's. `nodes`: None for all nodes made with `fresh`.
     """
 
     topic: str
@@ -177,9 +177,9 @@ class _Source:
 
 
 class _Heard(NamedTuple):
-    """A topic's type and its (moment, message) pairs in order.
+    """A topic's type and its (time, message) pairs in order.
 
-    Without messages, also the topic's publishing nodes that wait for /clock.
+    `held`: if no message arrived, the topic's publishing nodes that wait for /clock.
     """
 
     type: str
@@ -197,7 +197,7 @@ def _collect(
     on_silence: OnSilence | None = None,
     on_held: OnSilence = lambda nodes: None,
 ) -> _Heard:
-    """Collect a topic's (moment, message) pairs until `enough` returns True or `timeout` s have passed."""
+    """Collect a topic's (time, message) pairs until `enough` returns True or `timeout` s have passed."""
     topic = tools.absolute(source.topic)
     arrivals: list[tuple[float, Any]] = []
 
@@ -286,8 +286,8 @@ def topic_hz(
     """Measure the rate of messages on a topic over `seconds` s, beginning with the first one.
 
     In the meantime, the nodes made with `fresh` run (or those in `nodes`). `on_silence`, `on_held`: see `topic_echo`.
-    `on_look`: called repeatedly with the moments (s) of all messages so far. Raise NotFound if no node publishes the
-    topic.
+    `on_look`: called repeatedly with the arrival times (s) of all messages so far. Raise NotFound if no node publishes
+    the topic.
     """
     times: list[float] = []
 

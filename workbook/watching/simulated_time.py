@@ -74,8 +74,7 @@ class SimulatedRun:
             self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
     def _unsure(self, topic: str) -> list[float]:
-        """Return a topic's arrival times (simulated time, s), or [] if they prove whether the topic follows the clock.
-        """
+        """Return a topic's arrival times (simulated time, s), or [] if they prove whether it follows the clock."""
         times = self._session.recorder.times(topic)
         return times if follows(self.stretches, times, self._session.plan.step_s) is None else []
 
