@@ -1,4 +1,4 @@
-"""Call `publish_level` of the answer's BatteryPublisher with one value after another, and report each outcome.
+"""Call `publish_level` of the answer's BatteryPublisher with one value after another, and report each call's outcome.
 
 Topics:
     /driver/calls (std_msgs/String), subscription: the arguments, one Python expression per line. The driver waits for
@@ -27,11 +27,11 @@ from std_msgs.msg import String
 sign: Callable[[str, str], str] = globals()["sign"]  # provided by the host; signs a report for a topic
 
 REPORT = "/driver/report"
-PACE_S = 0.06  # from one call to the next: all of them take about a second
-BREATH_S = 0.01  # a call's messages need a later timestamp than its announcement
+PACE_S = 0.06  # from one call to the next, so that all calls together take about a second
+BREATH_S = 0.01  # so that a call's messages have a later timestamp than its announcement
 AT_ONCE = 4  # the call with this number follows the previous one immediately, with a shorter pause
 SHORT_BREATH_S = 0.001
-PATIENCE_S = 1.0  # for a subscriber; an answer that publishes on another topic never gets one
+PATIENCE_S = 1.0  # the longest wait for a subscriber; an answer that publishes on another topic never gets one
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 NAMES = {"np": np, "nan": float("nan"), "inf": float("inf")}
 LONGEST_ERROR = 300  # characters
@@ -40,7 +40,7 @@ MOST_EARLY = 3  # of these messages are reported
 
 @contextmanager
 def sending_noted() -> Iterator[list[object]]:
-    """Collect the values that are published on /robot/battery while the block runs, and yield their list."""
+    """Yield a list to which every value published on /robot/battery while the block runs is added."""
     noted: list[object] = []
     publish = Publisher.publish
 
@@ -57,7 +57,7 @@ def sending_noted() -> Iterator[list[object]]:
 
 
 def make_battery() -> tuple[Any, str]:
-    """Create the answer's node. Return it (or None), and the reason why it can't be used; empty if it can."""
+    """Create the answer's node. Return the node and "", or None and the reason why the node can't be used."""
     make = getattr(answer, "BatteryPublisher", None)
     if make is None:
         return None, "no class BatteryPublisher"
@@ -78,7 +78,7 @@ def in_words(error: Exception) -> str:
 
 
 class Driver(Node):
-    """Makes one call per tick, once its reports and the answer's messages have subscribers.
+    """Makes one call per timer tick, once its reports and the answer's messages have subscribers.
 
     `early`: the values that the answer's node published while it was created. No subscription can receive these.
     """
@@ -101,24 +101,25 @@ class Driver(Node):
         self.report_publisher.publish(String(data=sign(REPORT, text)))
 
     def on_calls(self, message: String) -> None:
-        """Store the arguments. Calls begin when the battery's topic has a subscriber, or after a second without."""
+        """Store the arguments. Calls begin when the battery's topic has a subscriber, or after a second without one."""
         if not self.expressions:
             self.expressions = message.data.splitlines()
             self.not_before = time.monotonic() + PATIENCE_S
 
     def on_tick(self) -> None:
-        """Report whether the answer's node was created. On each later tick, make one call, or once two."""
+        """Report whether the answer's node was created. On each later tick, make one call (on one tick, two)."""
         if not self.expressions or self.report_publisher.get_subscription_count() == 0:
             return
         if self.to_say:
             self.say(self.to_say)
             self.to_say = ""
-            # One end of a connection discovers it before the other. Messages in between would be lost.
+            # One end of a connection discovers the other end first. Messages that it sends before the other end has
+            # discovered it, too, would be lost.
             for level in self.early[:MOST_EARLY]:
                 self.say(f"sent before any call: {level}")
             self.early.clear()
             self.report_publisher.wait_for_all_acked(Duration(seconds=PATIENCE_S))
-            self.timer.reset()  # otherwise, the calls after a long wait would follow each other faster
+            self.timer.reset()  # otherwise, the first calls after a long wait would follow each other too fast
         elif self.usable and self.is_heard():
             self.call_next(BREATH_S)
             if self.called + 1 == AT_ONCE:
@@ -128,7 +129,7 @@ class Driver(Node):
                 self.usable = False
 
     def is_heard(self) -> bool:
-        """Return whether all of the answer's publishers have subscribers, or there was enough time to get some."""
+        """Return whether all of the answer's publishers have subscribers, or had enough time to get some."""
         if self.called or time.monotonic() > self.not_before:
             return True
         publishers = [
@@ -152,7 +153,7 @@ class Driver(Node):
 
 
 def main() -> None:
-    """Create the answer's node, and run it together with the driver until Ctrl-C."""
+    """Create the answer's node, and run it along with the driver until Ctrl-C."""
     if not rclpy.ok():
         rclpy.init()
     with sending_noted() as early:

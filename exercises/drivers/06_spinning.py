@@ -1,12 +1,12 @@
-"""Call the answer's `pump` for each order on /driver/go, and announce the begin and the end of each call.
+"""Call the answer's `pump` for each order on /driver/go, and announce the start and the end of each call.
 
 Topics:
     /driver/go (std_msgs/String), subscription: "1 robot 1.5" means that call 1 is pump(robot, 1.5). A repeated order
         has no effect.
     /driver/pump (std_msgs/String), publisher: "begin 1", then "end 1 1.501 0.020 0.001 0.03" or
         "raised 1 TypeError: ...", or "missing" if the answer has no such function. In this example, the call took
-        1.501 s. In this time, the program used 0.02 s of CPU time, the calling thread waited 0.001 s for a processor,
-        and the virtual machine's host took a processor away for 0.03 s. The driver repeats its last announcement until
+        1.501 s. Meanwhile, the program used 0.02 s of CPU time, the calling thread waited 0.001 s for a processor, and
+        the virtual machine's host took a processor away for 0.03 s. The driver repeats its last announcement until
         there is a new one.
     /driver/changed (std_msgs/String), publisher: an unwanted change that a call made. "1 1 timer left" means that
         call 1 left a timer behind.
@@ -45,9 +45,9 @@ HEARTBEAT_PERIOD_S = 0.1
 LOOK_PERIOD_S = 0.5
 JOB_S = 0.4
 
-REPEAT_S = 0.1  # period at which the latest announcement is repeated
-PATIENCE_S = 1.0  # a judge that hasn't appeared by then won't
-GRACE_S = 0.3  # a thread that was told to end has ended by then
+REPEAT_S = 0.1  # the period at which the latest announcement is repeated
+PATIENCE_S = 1.0  # a judge that hasn't appeared by then won't appear at all
+GRACE_S = 0.3  # a thread that was told to finish has finished by then
 
 
 class Watched:
@@ -80,7 +80,7 @@ class Watched:
         return told
 
     def begin(self, node: Node) -> None:
-        """Begin to record changes: a call of pump is about to start with this node."""
+        """Start recording changes, because a call of pump with this node is about to start."""
         self.noted = []
         self.before = entities(node)
         self.periods = periods(node)
@@ -107,7 +107,7 @@ class Watched:
         return self.noted
 
     def left_a_thread(self) -> str:
-        """Describe a thread that the call left behind; empty if there is none. This may take a moment."""
+        """Describe a thread that the call left behind, or return "" if there is none. This may take a moment."""
         new = [one for one in threading.enumerate() if one not in self.threads]
         if any(still_spins(one) for one in new):
             return "a thread still spins"
@@ -141,7 +141,7 @@ def is_canceled(timer: Timer) -> bool:
 
 
 def still_spins(thread: threading.Thread) -> bool:
-    """Return whether a thread is still spinning after a moment in which it could have ended."""
+    """Return whether a thread is still spinning after a moment in which it could have finished."""
     if not spins(thread):
         return False
     thread.join(GRACE_S)
@@ -149,7 +149,7 @@ def still_spins(thread: threading.Thread) -> bool:
 
 
 def spins(thread: threading.Thread) -> bool:
-    """Return whether a thread is in one of rclpy's spin functions now. A pool's idle thread isn't."""
+    """Return whether a thread is currently in one of rclpy's spin functions. A pool's idle thread isn't."""
     frame = sys._current_frames().get(thread.ident or 0)
     while frame is not None:
         code = frame.f_code
@@ -160,9 +160,9 @@ def spins(thread: threading.Thread) -> bool:
 
 
 def still_runs(thread: threading.Thread) -> bool:
-    """Return whether a thread is still running after a moment in which it could have ended.
+    """Return whether a thread is still running after a moment in which it could have finished.
 
-    A pool's idle thread doesn't count.
+    A pool's idle thread doesn't count as running.
     """
     if waits_for_work(thread):
         return False
@@ -171,7 +171,7 @@ def still_runs(thread: threading.Thread) -> bool:
 
 
 def waits_for_work(thread: threading.Thread) -> bool:
-    """Return whether this is a pool's idle thread."""
+    """Return whether a thread is a pool's idle thread."""
     frame = sys._current_frames().get(thread.ident or 0)
     code = frame.f_code if frame is not None else None
     return code is not None and (code.co_filename, code.co_name) == (
@@ -193,11 +193,11 @@ class Teller(Node):
 
     Topics:
         /robot/job_begun (std_msgs/Int32MultiArray): the call, and the number of a job that begins.
-        /robot/job_done (std_msgs/Int32MultiArray): the same when the job ends.
+        /robot/job_done (std_msgs/Int32MultiArray): the same two numbers when the job is done.
 
     Attributes:
-        call: The number of the current call; 0 between calls.
-        at_work: The job that has begun but not ended; None if there is none.
+        call: The number of the current call, or 0 between calls.
+        at_work: The job that the node has begun but not finished, or None if there is none.
     """
 
     def __init__(self, name: str) -> None:
@@ -225,7 +225,7 @@ class Robot(Teller):
     """A robot with two timers, which subscribes to words and to jobs of 0.4 s.
 
     Topics:
-        /robot/heartbeat (std_msgs/Int32MultiArray), 10 Hz, and /robot/look, 2 Hz: the call, and how many there were.
+        /robot/heartbeat (std_msgs/Int32MultiArray), 10 Hz, and /robot/look, 2 Hz: the call, and a counter.
         /robot/heard: the call, and each number from /robot/words (std_msgs/Int32).
         /robot/job_begun and /robot/job_done: the call, and each number from /robot/jobs (std_msgs/Int32).
     """
@@ -258,7 +258,7 @@ class Robot(Teller):
 
 
 class QuietRobot(Teller):
-    """A robot without timers. It's idle as long as it receives no messages.
+    """A robot without timers. It's idle until it receives a message.
 
     Topics:
         /quiet/heard (std_msgs/Int32MultiArray): the call, and each number from /quiet/words (std_msgs/Int32).
@@ -287,10 +287,10 @@ class Worker(Teller):
 
 
 class Driver(Node):
-    """Receives orders to call pump, and announces the outcomes.
+    """Receives orders to call pump, and announces each call's outcome.
 
     Attributes:
-        orders: The orders by the number of the call.
+        orders: The orders, by the number of their call.
     """
 
     def __init__(self, context: Context) -> None:
@@ -303,8 +303,8 @@ class Driver(Node):
     def wait_for_speakers(self, robots: Iterable[Node]) -> None:
         """Wait up to a second until each subscription has a publisher, then create this driver's publishers.
 
-        A node that discovers our publishers may publish right away. Before both ends have discovered each other, such a
-        message would be lost.
+        A node that discovers our publishers may publish right away. If our subscription and that node's publisher
+        haven't discovered each other by then, the message is lost.
         """
         ears = [ear for node in (self, *robots) for ear in node.subscriptions]
         end = monotonic() + PATIENCE_S
@@ -324,12 +324,12 @@ class Driver(Node):
         self.say_again()
 
     def say_again(self) -> None:
-        """Repeat the latest announcement: on a busy machine, a lost message may arrive only with the next one."""
+        """Repeat the latest announcement, because a lost message may arrive only with the next one."""
         if self.latest and self.publisher is not None:
             self.publisher.publish(String(data=sign("/driver/pump", self.latest)))
 
     def carry_out(self, call: int, node: Teller, seconds: float) -> None:
-        """Call `pump` once, and report its outcome and its changes."""
+        """Call `pump` once, and report the call's outcome and the changes that it made."""
         if not callable(getattr(answer, "pump", None)):
             self.say("missing")
             return
@@ -360,7 +360,7 @@ class Driver(Node):
 
 
 def in_line_s() -> float:
-    """Return how long (s) this thread has been ready to run without a processor; 0 if the system doesn't report it."""
+    """Return the seconds for which this thread was ready but had no processor, or 0 if that's unknown."""
     try:
         with open("/proc/thread-self/schedstat", encoding="ascii") as file:
             return int(file.read().split()[1]) / 1e9
@@ -369,7 +369,7 @@ def in_line_s() -> float:
 
 
 def taken_s() -> list[float]:
-    """Return how long (s) a virtual machine's host has taken each processor away; empty if that's unknown.
+    """Return the seconds for which a virtual machine's host took each processor away, or [] if that's unknown.
 
     This is the steal time in proc_stat(5), the eighth number.
     """

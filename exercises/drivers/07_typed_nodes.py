@@ -1,4 +1,4 @@
-"""Run the answer's RobotReport, and use it as its callers will, correctly and incorrectly, when the judge orders it.
+"""Run the answer's RobotReport, and call its methods, correctly and incorrectly, when the judge orders it.
 
 Topics:
     /driver/go (std_msgs/String), subscription: an order with one call per line, such as "send_battery(42)".
@@ -33,9 +33,9 @@ class Driver(Node):
         self.create_subscription(String, "/driver/go", self.on_go, 10)
 
     def on_go(self, order: String) -> None:
-        """Make every call of an order, even if others raise an error, and then publish the reports."""
+        """Make every call of an order, even if an earlier call raises an exception, and then publish the reports."""
         lines = [f"{call}\t{self.outcome(call)}" for call in order.data.splitlines()]
-        for line in lines:  # one message each, because a recording truncates long texts
+        for line in lines:  # one message each, because a recording truncates long strings
             self.report_publisher.publish(String(data=sign(REPORT, line)))
 
     def outcome(self, call: str) -> str:
@@ -48,7 +48,7 @@ class Driver(Node):
 
 
 def main() -> None:
-    """Spin the robot and its driver until Ctrl-C. Raise AttributeError if the answer has no class RobotReport."""
+    """Spin the robot and its driver until Ctrl-C. Raise AttributeError if the answer doesn't define RobotReport."""
     if not hasattr(answer, "RobotReport"):
         raise AttributeError("your program has no class RobotReport")
     rclpy.init()

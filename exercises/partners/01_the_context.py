@@ -1,7 +1,7 @@
 """The guard's legs and arms, which walk when the guard logs a round, and fold if the guard has parked its arms.
 
-The workbook runs this program next to exercise 01's program and ends it later than that one. It also publishes the
-output of exercise 01's program after Ctrl-C.
+The workbook runs this program along with exercise 01's program and stops it after that program. The workbook also
+publishes what exercise 01's program printed after Ctrl-C.
 """
 
 import rclpy
@@ -16,7 +16,7 @@ from std_msgs.msg import Float32MultiArray, String
 GUARD = "night_guard"
 PARKED = "arms parked"
 SPEED_MPS = 0.5
-SHOWN_S = 1.5  # how long the node stays on the graph after its last pose, so that the pose is visible
+SHOWN_S = 1.5  # how long the node stays in the graph after its last pose, so that the pose is visible
 FOLDED = [0.0, 0.0, 0.35, -2.2, 0.35, -2.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 IN_MID_STEP = [0.0, 0.0, 2.6, 0.4, 2.6, 0.4, 0.7, 1.1, 0.3, 0.0, 0.0, 0.0]
 LAST_WORDS_QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -27,11 +27,11 @@ class GuardBody(Node):
 
     Subscriptions:
         /rosout (rcl_interfaces/Log): the log lines of all nodes. The guard's lines about a round make the body walk.
-        /driver/last_words (std_msgs/String): the output of the guard's program from Ctrl-C to its end.
+        /driver/last_words (std_msgs/String): the output of the guard's program from Ctrl-C to its exit.
 
     Topics:
         /robot/cmd_vel (geometry_msgs/Twist): one step forward for each round.
-        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad), after the guard's program has ended.
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad), after the guard's program has exited.
 
     Attributes:
         done: A future that completes 1.5 s after the last pose.

@@ -6,7 +6,7 @@ from rclpy.node import Node
 from std_msgs.msg import Int32, String
 
 PERIOD_S, PUMP_S = 4.0, 2.0
-FIRST = 101  # the first number of a call; other nodes use smaller numbers
+FIRST = 101  # the first call's number; other nodes use smaller numbers
 WORDS = 3
 
 
@@ -14,7 +14,7 @@ class PumpUser(Node):
     """Orders one call of pump after another, and pauses while another node gives orders.
 
     Topics:
-        /driver/go (std_msgs/String): "101 robot 2.0": the call's number, the node to pump, and for how long (s).
+        /driver/go (std_msgs/String): "101 robot 2.0": the call's number, the node to pump, and the duration (s).
         /robot/words (std_msgs/Int32): three numbers, which the robot handles in the next call.
     """
 

@@ -1,4 +1,4 @@
-"""The skin of the hand in exercise 11, which numbers its touches, and sometimes publishes several at the same time."""
+"""The skin of the hand in exercise 11, which numbers its touches and sometimes publishes several at the same time."""
 
 import random
 
@@ -8,7 +8,7 @@ from rclpy.node import Node
 from std_msgs.msg import Int32
 
 PERIOD_S = 0.8
-TOUCHES = (0, 1, 1, 1, 3)  # at the same moment
+TOUCHES = (0, 1, 1, 1, 3)  # the possible numbers of touches at the same time
 
 
 class Skin(Node):

@@ -26,7 +26,7 @@ class SelfTestingRobot(SelfTestServer):
         self.publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
 
     async def on_call(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
-        """Move, and respond as the pattern says."""
+        """Move, and respond as `RESPONSES` says for this call."""
         self.publisher.publish(Float32MultiArray(data=TESTING))
         self.passed(MOVED_S).add_done_callback(
             lambda _: self.publisher.publish(Float32MultiArray(data=AT_REST))

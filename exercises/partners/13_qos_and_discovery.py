@@ -1,4 +1,4 @@
-"""The robot that exercise 13's dashboard watches. Its heart beats for 5 s, and then stops for 4 s."""
+"""The robot that exercise 13's dashboard watches. It publishes heartbeats for 5 s, and then pauses for 4 s."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException

@@ -1,4 +1,4 @@
-"""The camera and the IMU of exercise 16's robot, which watches toys on a desk, is pushed twice, and then falls."""
+"""The camera and the IMU of exercise 16's robot. The robot watches toys on a desk, is pushed twice, and then falls."""
 
 import math
 import random
@@ -20,7 +20,7 @@ CUPS = (Cup((1.08, -0.12)),)
 PLATES = (Plate((1.12, -0.5)),)
 GRAVITY = 9.81
 NOISE = 0.15  # standard deviation of an acceleration (m/s²)
-PUSHES = {200: 70.0, 450: 80.0}  # sample number: the robot's tilt (°) from then on
+PUSHES = {200: 70.0, 450: 80.0}  # sample number: the robot's tilt (°) for `PUSHED_SAMPLES` samples
 PUSHED_SAMPLES = 8  # too few for a fall
 FALLS_AFTER, FALLEN_DEG = 750, 85.0
 
@@ -56,7 +56,7 @@ class RobotSensors(Node):
         self.images += 1
 
     def tilt_deg(self) -> float:
-        """Return how far the robot is tilted to its left at the next sample (°)."""
+        """Return the robot's tilt to its left (°) at the next sample."""
         if self.samples >= FALLS_AFTER:
             return FALLEN_DEG
         pushes = (deg for first, deg in PUSHES.items() if 0 <= self.samples - first < PUSHED_SAMPLES)
