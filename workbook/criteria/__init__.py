@@ -1,6 +1,7 @@
-"""Judge answers by criteria, which have points. Functions for writing criteria are called the vocabulary.
+"""Judge recordings by criteria. A *criterion* is one judged statement about a recording, worth some points.
 
-A criteria file imports only this package, as `see`, and message types, so it runs without rclpy. Importing the package
+The functions for writing criteria are called the *vocabulary*. A criteria file imports only this package, as `see`, and
+message types, so it runs without rclpy. Feedback strings come from *catalogs* (see `rules`). Importing the package
 raises CatalogError if a catalog of the vocabulary has an entry that no cause uses.
 """
 

@@ -1,8 +1,8 @@
 """Run criteria with a time budget, in any thread, and interrupt work that exceeds the budget.
 
-The work runs in a separate thread, which an exception interrupts between two Python instructions. A call that stays
-inside C code, such as a regular expression search, has to finish first. In a grading slot, even such a call ends at the
-answer's deadline, because the slot is killed and the answer gets an `infra_error`.
+The work runs in a separate thread, which we interrupt by raising an exception between two of its Python instructions. A
+call that stays inside C code, such as a regular expression search, has to return first. In a grading slot, even such a
+call can't outlast the answer's deadline, because the slot is killed and the answer gets an `infra_error`.
 """
 
 import ctypes
@@ -12,26 +12,26 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 BUDGET_S = 5.0
-"""CPU time (s) that all criteria together may use for one recording. Waiting on a busy machine doesn't count."""
+"""The CPU time (s) that all criteria together may use for one recording. Waiting on a busy machine doesn't count."""
 PATIENCE_S = 60.0
-"""Wall-clock time (s) for the same work. This limit also stops work that waits instead of computing."""
+"""The wall-clock time (s) for the same work. This limit also stops work that waits instead of computing."""
 GRACE_S = 1.0
-"""Wall-clock time (s) for interrupted work to finish. Work that stays inside C code for longer is abandoned."""
+"""The wall-clock time (s) for interrupted work to finish. Work that stays inside C code for longer is abandoned."""
 SHORTEST_WAIT_S = 0.01
 
 Made = TypeVar("Made")
 
 
 class OutOfTime(RuntimeError):
-    """Work exceeded its budget."""
+    """Raised when work exceeds its budget."""
 
 
 class _Interrupted(BaseException):
-    """Interrupts work. It isn't an Exception, so that no `except Exception` in the work catches it."""
+    """Raised in a thread to interrupt its work. It isn't an Exception, so `except Exception` doesn't catch it."""
 
 
 class _Worker(threading.Thread, Generic[Made]):
-    """A thread that runs one function. It stays alive until it's released, so that its ID isn't reused before then."""
+    """A thread that runs one function, and then stays alive until it's released, so that its ID isn't reused."""
 
     made: Made
 
@@ -75,7 +75,8 @@ def within_budget(
 ) -> Made:
     """Run `work`, and return its result or raise its exception.
 
-    Raises OutOfTime if it takes more than `budget_s` seconds of CPU time or `patience_s` seconds of wall-clock time.
+    Raises OutOfTime if the work takes more than `budget_s` seconds of CPU time or `patience_s` seconds of wall-clock
+    time.
     """
     worker = _Worker(work)
     deadline = time.monotonic() + patience_s

@@ -1,4 +1,4 @@
-"""Define criteria, which are judged statements about a recording, along with the topics and the watch they need."""
+"""Define criteria, along with the topics and the watch that they need."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -21,7 +21,7 @@ Draw = Callable[[Random], Sequence[Part]]
 class Criterion:
     """A judged statement about a recording. It's skipped unless every criterion in `needs` passes.
 
-    `about_end`: whether it judges how the program ends, instead of how the program behaves until then.
+    `about_end`: whether the criterion judges how the program exits, rather than how the program behaves until then.
     """
 
     id: str
@@ -49,9 +49,9 @@ def criterion(
 ) -> Callable[[CriterionFunction], Criterion]:
     """Turn a function that takes a recording and returns a verdict into a criterion.
 
-    `points` may be 0 for a condition that only other criteria need. `about_end`: whether it judges how the program
-    ends. A bug in rclpy or Python may spoil the end of a correct program. Raises ValueError if the points are negative
-    or the title is empty.
+    `points` may be 0 for a condition that only other criteria need. `about_end`: whether the criterion judges how the
+    program exits. Such results are treated separately, because a bug in rclpy or Python may spoil a correct program's
+    exit. Raises ValueError if the points are negative or the title is empty.
     """
     if points < 0:
         raise ValueError(f"points are never negative: {points}")
@@ -68,7 +68,7 @@ def criterion(
 class Topic:
     """A topic that an exercise requires: its name, message type, and rate in Hz (None if no rate is judged).
 
-    See the function `topic` for `features` and `signed`.
+    For `features` and `signed`, see the function `topic`.
     """
 
     name: str
@@ -105,12 +105,13 @@ def topic(
 ) -> Topic:
     """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`.
 
-    `features`: for messages with large fields, such as images. It maps a field's name to a function that takes the
-    message and returns the facts that criteria need (numbers, texts, lists, dicts). The field itself is stored as
-    `{"length": n, "sha256": "...", "first": [...], "features": the returned facts}`. The facts are None if the function
-    raised an exception.
+    `features`: for messages with large fields, such as images, a mapping from a field's name to a function. The
+    function takes the message and returns the facts that criteria need (numbers, strings, lists, dicts). The field
+    itself is stored as `{"length": n, "sha256": "...", "first": [...], "features": the returned facts}`. The facts are
+    None if the function raised an exception.
 
-    `signed`: whether the driver publishes this topic. It signs each message, and criteria see only signed messages.
+    `signed`: whether the driver publishes this topic. The driver signs each message, and criteria see only signed
+    messages.
     """
     return Topic(name, type_name(message_class), hz, features or {}, signed)
 
@@ -149,17 +150,17 @@ def watching(
 
     `simulated_seconds`: the simulated time to watch; by default, nine times the longest period. `wall_seconds`: the
     real time to watch on the wall clock; by default, four times the longest period. `to_the_end`: send the program
-    Ctrl-C (SIGINT) before judging it. Criteria then see how it ends, and which of its nodes stay in the graph.
+    Ctrl-C (SIGINT) before judging it, so that criteria see how it exits and which of its nodes stay in the graph.
 
     `script`: the messages, services, and calls that the judge sends to the program, made with `publish`, `serves`, and
     `calls`. A program could respond to a fixed script from a table. To prevent that, `script` may be a function that
     takes a `random.Random` and draws new parts for each run. Every draw must contain everything that the criteria need.
     The criteria must then compare with the script as recorded (`published`, `calls`).
 
-    `bytes_per_topic`: how many bytes of messages are kept per topic, not counting the judge's messages. A field with
-    more than 4096 elements is cut to its beginning, its size, and its SHA-256, so it hardly counts toward this limit.
-    `steps_per_period`: the number of steps of simulated time per shortest judged period. Each step takes about two
-    milliseconds, so fewer steps speed up a long watch of a fast topic.
+    `bytes_per_topic`: the number of bytes of messages that are kept per topic, not counting the judge's messages. A
+    field with more than 4096 elements is cut to its beginning, its size, and its SHA-256, so it hardly counts toward
+    this limit. `steps_per_period`: the number of steps of simulated time per shortest judged period. Each step takes
+    about two milliseconds, so fewer steps speed up a long watch of a fast topic.
     """
     return Watching(
         simulated_seconds,

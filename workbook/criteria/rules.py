@@ -1,4 +1,4 @@
-"""Choose a verdict's cause from an ordered table, and take its wording from a catalog.
+"""Choose a verdict's cause from an ordered table, and take the verdict's wording from a catalog.
 
 A criterion has three separate parts:
 
@@ -6,14 +6,14 @@ A criterion has three separate parts:
   computes them from a recording, from top to bottom. If some facts are expensive and seldom needed, use a frozen
   dataclass with `cached_property`.
 - **Rules**: an ordered table of causes, each with an id and a predicate over the facts. The first match is the cause.
-- **Words**: a catalog, the file `name.toml` next to `name.py`. `[in-order.late]` contains `saw`, `expected`, `because`,
-  and `try` for the cause "in-order.late"; missing parts are taken from `[in-order]`. `{name}` is filled in from the
-  facts, and `{lost:n}` is the length of `lost`. `{lost|is|are}` chooses the singular or the plural. `{texts.name}` is a
-  text from `[texts]`, which several causes may share. `{AT_ONCE_S}` and `{LEAST_SHARE:.0%}` are constants of the
-  module, if it passes them: `Words(__file__, globals())`.
+- **Words**: a catalog of feedback strings, the file `name.toml` next to `name.py`. `[in-order.late]` contains `saw`,
+  `expected`, `because`, and `try` for the cause "in-order.late"; missing parts are taken from `[in-order]`. `{name}` is
+  filled in from the facts, and `{lost:n}` is the length of `lost`. `{lost|is|are}` chooses the singular or the plural.
+  `{texts.name}` is a string from `[texts]`, which several causes may share. `{AT_ONCE_S}` and `{LEAST_SHARE:.0%}` are
+  constants of the module, if it passes them: `Words(__file__, globals())`.
 
-Importing a module raises CatalogError if a cause has no words, if words have no cause, or if a placeholder isn't a
-fact.
+Importing a module raises CatalogError if a cause lacks an entry in the catalog, if an entry lacks a cause, or if a
+placeholder isn't a fact.
 """
 
 import re
@@ -36,22 +36,26 @@ SEEN, REASON = PARTS[:2], PARTS[2:]
 TEXTS = "texts"
 F = TypeVar("F")
 Given = type | Collection[str]
-"""The source of a text's placeholders: a class of facts, or the names of keyword arguments."""
+"""The source of a feedback string's placeholders: a class of facts, or the names of keyword arguments."""
 Blame = Callable[[Recording, str, str], Verdict | None]
 """A function that looks for a cause in a recording, such as an error that ended the program.
 
-It takes the recording and the texts `saw` and `expected`, and returns a failed verdict, or None if it finds no cause.
+The function takes the recording and the strings `saw` and `expected`. It returns a failed verdict, or None if it
+doesn't find a cause.
 """
 Rule = tuple[str, Callable[[F], object]] | tuple[str, Callable[[F], object], Blame]
 """A cause and the predicate that selects it. An optional third element looks for another cause first."""
 
 
 class CatalogError(ValueError):
-    """A module's catalog doesn't match its causes. The message names the file and the entry."""
+    """Raised when a module's catalog doesn't match the causes that the module declares.
+
+    The message names the file and the entry.
+    """
 
 
 class _Filler(Formatter):
-    """Fills in placeholders. Floats are written without an exponent, and a list of names becomes an English list.
+    """Fills in placeholders. Floats are formatted without an exponent, and a list of names becomes an English list.
 
     `{lost:n}` is the length of `lost`, and `{lost|is|are}` chooses the singular or the plural. `{lost:times}` is
     "once", "twice", or "3 times".
@@ -83,7 +87,7 @@ _CONSTANT = re.compile(r"(?<!\{)\{([A-Z][A-Z0-9_]*)(?::([^}]*))?\}(?!\})")
 
 
 class _OfFacts(Mapping[str, Any]):
-    """A mapping from an object's attribute names to their values, in which placeholders are looked up."""
+    """A mapping from an object's attribute names to their values, for looking up placeholders."""
 
     def __init__(self, facts: object) -> None:
         self._facts = facts
@@ -123,7 +127,10 @@ def _filled_in(
 
 @dataclass(frozen=True)
 class Cause:
-    """A cause: its words, and the flags of its verdict (see `Verdict`). A `share` above 0 gives partial credit."""
+    """A cause: its feedback strings, and the flags of its verdict (see `Verdict`).
+
+    If `share` isn't 0, the verdict gives that fraction of the points as partial credit.
+    """
 
     id: str
     words: Mapping[str, str]
@@ -132,7 +139,7 @@ class Cause:
     share: float = 0.0
 
     def verdict(self, facts: object = None, *, about_time: bool | None = None, **given: Any) -> Verdict:
-        """Return a verdict with the words filled in from facts or keyword arguments.
+        """Return a verdict whose feedback strings are filled in from facts or keyword arguments.
 
         `about_time`, if given, overrides the cause's own flag.
         """
@@ -145,9 +152,9 @@ class Cause:
 
 @dataclass(frozen=True)
 class Observation:
-    """The words for `saw` and `expected`, without a cause.
+    """The strings `saw` and `expected` of a verdict whose cause isn't known yet.
 
-    They go to a function that finds the cause, such as an error that ended the program.
+    They're passed to a function that looks for the cause, such as an exception that made the program exit.
     """
 
     words: Mapping[str, str]
@@ -163,9 +170,9 @@ class Observation:
 
 @dataclass(frozen=True)
 class Blamed:
-    """A row for which `blame` first looks for a cause, such as an error. If it finds none, `cause` is the fallback.
+    """A row of a table for which `blame` first looks for a cause, such as an error.
 
-    If `cause` is None, too, the row has no verdict.
+    If `blame` doesn't find one, `cause` is the fallback. If `cause` is None, too, the row doesn't give a verdict.
     """
 
     id: str
@@ -174,16 +181,16 @@ class Blamed:
     cause: Cause | None
 
     def verdict(self, facts: Any) -> Verdict | None:
-        """Return the verdict from `blame`, or else the fallback cause's verdict; None if there is neither."""
+        """Return the verdict from `blame`, or else that of the fallback cause, or None if there is neither."""
         found = self.blame(facts.recording, *_filled_in(self.words, SEEN, facts, {}))
         return found or (self.cause.verdict(facts) if self.cause else None)
 
 
 @dataclass(frozen=True)
 class Reason:
-    """The words for `because` and `try`, for an error that a table recognizes.
+    """The strings `because` and `try` for an error that a table recognizes.
 
-    The words for `saw` and `expected` come from another rule.
+    The strings `saw` and `expected` come from another rule.
     """
 
     id: str
@@ -208,7 +215,7 @@ class Rules(Generic[F]):
     when: Callable[[F], object] = otherwise
 
     def first(self, facts: F) -> Verdict | None:
-        """Return the verdict of the first cause that matches the facts; None if no cause does."""
+        """Return the verdict of the first cause that matches the facts, or None if no cause does."""
         if not self.when(facts):
             return None
         found = (cause.verdict(facts) for cause, fits in self.table if fits(facts))
@@ -226,7 +233,7 @@ class Rules(Generic[F]):
 
 
 class Words:
-    """A module's catalog: a TOML file next to it, with the same name.
+    """A module's catalog of feedback strings: a TOML file next to the module, with the same name.
 
     `constants`: the values of the uppercase placeholders.
 
@@ -241,7 +248,7 @@ class Words:
 
     @cached_property
     def entries(self) -> dict[str, dict[str, str]]:
-        """All entries by name, with the parts that they share through their section or `[texts]` filled in."""
+        """All entries by name, including the parts that they share through their section or `[texts]`."""
         sections = tomllib.loads(self.path.read_text(encoding="utf-8"))
         shared = {f"{{{TEXTS}.{name}}}": text for name, text in sections.pop(TEXTS, {}).items()}
 
@@ -272,21 +279,22 @@ class Words:
     ) -> Cause:
         """Declare one cause. `given`: a class of facts, or the names of the keyword arguments for its verdicts.
 
-        Raises CatalogError if the catalog has no words for the cause, or if a placeholder isn't in `given`.
+        Raises CatalogError if the catalog has no entry for the cause, or if a placeholder isn't in `given`.
         """
         return Cause(cause, self._checked(cause, PARTS, given), about_time, recheck_fields, share)
 
     def seen(self, name: str, given: Given) -> Observation:
-        """Declare the words for `saw` and `expected`, under a name such as "in-order.by-error".
+        """Declare the strings `saw` and `expected` under a name such as "in-order.by-error".
 
-        The catalog entry contains only these two parts; another rule finds the cause. Raises CatalogError like `cause`.
+        The catalog entry contains only these two parts; another rule finds the cause. Raises CatalogError as `cause`
+        does.
         """
         return Observation(self._checked(name, SEEN, given))
 
     def reason(self, name: str, given: Given = ()) -> Reason:
         """Declare a reason and a next step. The catalog entry contains only `because` and `try`.
 
-        Raises CatalogError like `cause`.
+        Raises CatalogError as `cause` does.
         """
         return Reason(name, self._checked(name, REASON, given))
 
@@ -303,10 +311,10 @@ class Words:
         """Declare a table of causes. Each row has the cause's id without `word`, and a predicate over the facts.
 
         An optional third element, such as `see.program_ended`, looks for a cause in the facts' recording, and that
-        cause takes precedence. If it finds none, and the row's catalog entry has only `saw` and `expected`, the next
-        rows are tried. `when`: a condition over the facts for the whole table. `about_time` and `recheck_fields`: True
-        to set the flag for every cause that has a catalog entry, or the reasons (ids without `word`) of some causes.
-        Raises CatalogError like `cause`.
+        cause takes precedence. If this function doesn't find a cause, and the row's catalog entry has only `saw` and
+        `expected`, the next rows are tried. `when`: a condition over the facts for the whole table. `about_time` and
+        `recheck_fields`: True to set the flag for every cause that has a catalog entry, or the reasons (ids without
+        `word`) of some causes. Raises CatalogError as `cause` does.
         """
 
         def of(reason: str, which: bool | Collection[str]) -> bool:
@@ -367,7 +375,7 @@ class Words:
 
 
 def placeholders(text: str) -> set[str]:
-    """Return the names with which the placeholders in a text begin, such as "lost" for `{lost:n}`."""
+    """Return the names with which a string's placeholders begin, such as "lost" for `{lost:n}`."""
     return {
         name.split("|")[0].split(".")[0].split("[")[0]
         for _, name, _, _ in Formatter().parse(text)

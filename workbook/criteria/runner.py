@@ -1,4 +1,4 @@
-"""Run criteria on a recording. If a criterion crashes, the whole judgment fails, so our bugs cost no student points."""
+"""Run criteria on a recording. If a criterion crashes, there is no score, so our bugs never cost a student points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ Status = Literal["passed", "failed", "partial", "skipped"]
 
 
 class CriterionError(RuntimeError):
-    """A criterion is at fault, so the answer can't be judged: it crashed, took too long, or returned no verdict."""
+    """Raised when an answer can't be judged because a criterion crashed, took too long, or didn't return a verdict."""
 
 
 @dataclass(frozen=True)
@@ -56,9 +56,9 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
 
 
 def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
-    """Return a criterion's result, with its text sanitized.
+    """Return a criterion's result, with its strings sanitized.
 
-    The text may quote the program's output, which must not be interpreted as commands by a terminal or a page.
+    They may quote the program's output, which a terminal or a page must not interpret as commands.
     """
     return CriterionResult(
         id=criterion.id,
@@ -84,7 +84,7 @@ def run_criteria(
 ) -> tuple[CriterionResult, ...]:
     """Judge a recording, with `budget_s` seconds of CPU time for all criteria together.
 
-    Raises CriterionError if a criterion crashes, returns no verdict, or exhausts the budget.
+    Raises CriterionError if a criterion crashes, doesn't return a verdict, or exhausts the budget.
     """
     results: dict[str, CriterionResult] = {}
     at_work = ""

@@ -1,11 +1,11 @@
-"""Define verdicts: each has words that a student can act on, and a cause id that stays fixed when the words change.
+"""Define verdicts, which have feedback for the student, and a cause id that stays the same if the wording changes.
 
 Every verdict that isn't a pass names its cause first: `failed("rate.too-fast", saw, expected, because, try_this)`.
 
 - An id has the form `word.reason`, with both parts in kebab-case. In the vocabulary, the word names the judging
   function ("rate", "program-runs"). In an exercise, it names the criterion ("results-told.late").
 - An id appears exactly once in a file: as the heading of its catalog entry (see `workbook.criteria.rules`), or as a
-  literal before its words. Two likely causes need two ids: if `because` differs, so does the id.
+  literal before its feedback strings. Two likely causes need two ids: if `because` differs, so does the id.
 - A verdict from the vocabulary keeps its id when an exercise's criterion returns it.
 
 In the tests, each wrong answer names the id that it must get.
@@ -26,12 +26,13 @@ class Verdict:
     """The result of one criterion, and the reason for it.
 
     `saw` and `expected` are facts, `because` is the likely reason, and `try_this` is one next step. `cause` is the
-    reason's id. `share` is the earned part of the points (0 to 1).
+    reason's id. `share` is the earned fraction of the points (0 to 1).
 
-    `about_time` marks failures that depend on rates and silences. If such a failure occurs on simulated time, the
+    `about_time` marks failures that depend on rates and silences. If such a failure occurs in simulated time, the
     program is judged again on the wall clock before the failure counts. The exception is a failure about the topic
     `pace_of`, if that topic provably follows simulated time. `recheck_fields` marks values that suggest a wrong type in
-    a message field. The program then runs once more with field checks on, so that the feedback can quote their error.
+    a message field. The program then runs once more with field checks on, so that the feedback can quote the error that
+    these checks raise.
 
     Raises ValueError if a verdict deducts points but its cause isn't a valid id.
     """
@@ -95,7 +96,7 @@ def partial(
     *,
     about_time: bool = False,
 ) -> Verdict:
-    """Return a verdict that earns a share of the criterion's points. `cause`: the id of the reason for the loss.
+    """Return a verdict that earns a fraction of the criterion's points. `cause`: the id of the reason for the loss.
 
     Raises ValueError if `share` isn't strictly between 0 and 1.
     """
@@ -112,7 +113,7 @@ def not_judged(why: str) -> Verdict:
 
 
 def all_of(*verdicts: Verdict) -> Verdict:
-    """Return a pass that lists what each verdict saw, or else the first verdict that isn't a pass, as a failure."""
+    """Return a pass with all verdicts' observations, or else the first verdict that isn't a pass, as a failure."""
     for verdict in verdicts:
         if not verdict.ok:
             return replace(verdict, status="failed", share=0.0)

@@ -1,4 +1,5 @@
-"""The criteria vocabulary: a set of functions, each of which judges one aspect of a recording.
+"""Provide the vocabulary of criteria: functions, each of which judges one aspect of a recording.
 
-A function gives the same feedback in every exercise. Criteria files import the functions only from `workbook.criteria`.
+A function gives the same feedback in every exercise. Criteria files import these functions only from
+`workbook.criteria`.
 """

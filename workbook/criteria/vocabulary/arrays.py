@@ -22,7 +22,7 @@ WORDS = Words(__file__)
 
 LEAST_MESSAGES = 3
 MOSTLY = 0.75
-"""Enough elements must change in at least this share of the steps from one message to the next."""
+"""The least fraction of the steps from one message to the next in which enough elements must change."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ _LENGTH = WORDS.rules(
 
 @if_all_kept
 def length(recording: Recording, topic: Topic, wanted: int, what: str = "value") -> Verdict:
-    """Check that every message contains an array of exactly `wanted` elements. `what`: the word for an element."""
+    """Check that every message contains an array of exactly `wanted` elements. `what`: the noun for an element."""
     lengths = _Lengths([length_of(value) for value in values(recording, topic)], wanted, what)
     if lengths.wrong:
         return _LENGTH.verdict(lengths)
@@ -77,9 +77,9 @@ def length(recording: Recording, topic: Topic, wanted: int, what: str = "value")
 
 @dataclass(frozen=True)
 class _Movement:
-    """How the elements of an array change from message to message. `what`: the noun for an element.
+    """The changes of an array's elements from message to message. `what`: the noun for an element.
 
-    Messages of an unusual length are ignored, and so are steps between messages that arrive at the same moment.
+    Messages of an unusual length are ignored, and so are steps between messages that arrive at the same time.
     """
 
     recording: Recording
@@ -174,9 +174,8 @@ _TOO_LITTLE = WORDS.rules(
 def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: str = "value") -> Verdict:
     """Check that at least `at_least` elements of the array change by more than `by` from message to message.
 
-    That must be true for at least the share `MOSTLY` of these steps, so a movement may pause to reverse. Messages that
-    arrive at the same moment aren't compared, because they're only a fault of the rate. `what`: the noun for an
-    element.
+    That must be true for at least the fraction `MOSTLY` of these steps, so a movement may pause to reverse. Messages
+    that arrive at the same time aren't compared, because `rate` judges that fault. `what`: the noun for an element.
     """
     seen = _Movement(recording, topic, at_least, by, what)
     if seen.enough:

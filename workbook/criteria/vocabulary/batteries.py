@@ -1,4 +1,4 @@
-"""Judge a simulated battery: a charge in percent that starts full and falls, and a status that reports when it's 0."""
+"""Judge a simulated battery: a charge (%) that starts full and falls, and a status that reports an empty battery."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,7 +18,7 @@ WORDS = Words(__file__)
 
 FULL = 100.0
 DROPS_BEFORE_THE_FIRST = 1.5
-"""How far below 100 % the first charge may be, as a multiple of the largest drop between two messages.
+"""The most by which the first charge may be below 100 %, as a multiple of the largest drop between two messages.
 
 The program may drain the battery once before its first message, by slightly more than that drop.
 """
@@ -26,7 +26,7 @@ DROPS_MISSED_ON_THE_WALL_CLOCK = 4.0
 """The same factor for the wall clock, on which the judge may miss a program's first messages."""
 ROUNDING = 1.0
 HALVES_FROM = 8
-"""How many messages show that a charge has stopped falling. In fewer, a charge in whole percents may just repeat."""
+"""The least messages that show that a charge has stopped falling. In fewer, a whole-percent charge may just repeat."""
 WORKS, EMPTY = "operational", "error"
 
 
@@ -38,7 +38,7 @@ _STOPS = WORDS.cause("drains.stops", ("first", "middle", "last"))
 
 @dataclass(frozen=True)
 class _Said:
-    """A message's data. `order`: when it was published (wall time, s). `t`: when it arrived (simulated time, s)."""
+    """A message's data, the time of publication (`order`; wall time, s), and of arrival (`t`; simulated time, s)."""
 
     order: float
     t: float
@@ -72,7 +72,7 @@ class _Words:
 
     @property
     def level(self) -> str:
-        """The last charge before the early "error", or the first charge if there was none before it."""
+        """The last charge before the early "error", or the first charge if none was published before."""
         before = [one.data for one in self.charges if self.early and one.order < self.early.order]
         return number(before[-1] if before else self.charges[0].data)
 
@@ -128,7 +128,7 @@ def begins_full(recording: Recording, battery: Topic) -> Verdict:
 
 @if_messages
 def drains(recording: Recording, battery: Topic) -> Verdict:
-    """Check that the charge falls until it's empty, and doesn't stop falling halfway through the recording."""
+    """Check that the charge falls until the battery is empty, and keeps falling in the recording's second half."""
     levels = _levels(recording, battery)
     if len(levels) < 2 or levels[-1] == 0.0 < levels[0]:
         return passed("it drains")
@@ -141,11 +141,11 @@ def drains(recording: Recording, battery: Topic) -> Verdict:
 
 
 def word_fits_charge(recording: Recording, status: Topic, battery: Topic) -> Verdict:
-    """Check that the status is "operational" while the battery has charge, and "error" once it's empty.
+    """Check that the status is "operational" while the battery has charge, and "error" once the battery is empty.
 
     The status may change any time after the last charge above 0, and must have changed by the second charge of 0. So
-    the program may publish the charge before or after it drains the battery, on either clock. If the charges themselves
-    are wrong, this check passes, because other criteria judge them.
+    the program may publish the charge before or after draining the battery, on either clock. If the charges themselves
+    are wrong, this check passes, because other criteria judge the charges.
     """
     charges = [one for one in _data(recording, battery) if isinstance(one.data, (int, float))]
     seen = _Words(_data(recording, status), charges)

@@ -1,4 +1,4 @@
-"""Generate images of a desk, which the judge publishes like a camera, and locate the toys in them."""
+"""Generate images of a desk, which the judge publishes as a camera would, and locate the toys in them."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ FRAME_ID = "head_camera_optical_frame"
 
 @dataclass(frozen=True)
 class CameraView:
-    """One camera image: its scene and its encoding. Its height is 3/4 of its width (both in pixels).
+    """One camera image: its scene and its encoding. The height is 3/4 of the width (both in pixels).
 
     `stamp`: seconds and nanoseconds. `seed` and `number` select the noise. `padding`: the number of unused bytes after
     each row.
@@ -70,12 +70,15 @@ class _Fields(Mapping[str, Any]):
 
 
 def camera_image(view: CameraView) -> Mapping[str, Any]:
-    """Return the fields of a `sensor_msgs/Image` that shows `view`, for `publish`. It's rendered on first use."""
+    """Return the fields of a `sensor_msgs/Image` of `view`, for `publish`. The image is rendered on first use."""
     return _Fields(view)
 
 
 def seen_direction(place: Place, width: int = 160) -> tuple[float, float, float]:
-    """Return the unit vector from a camera to a place (m, robot axes). In it, x points right, y down, and z forward."""
+    """Return the unit vector from a camera to a place (m, robot axes).
+
+    In the vector, x points right, y down, and z forward.
+    """
     seen = _pinhole(width).seen_from(place)
     x, y, z = (seen / (seen @ seen) ** 0.5).tolist()
     return x, y, z
@@ -92,7 +95,7 @@ def things_seen(scene: Scene, width: int = 160) -> "list[Thing]":
 
 
 def seen_pixel(place: Place, width: int = 160, pan: float = 0.0) -> tuple[float, float]:
-    """Return the column and row where a camera sees a place (m, robot axes). `pan` (rad) turns the head to the left."""
+    """Return the column and row at which a camera sees a place (m, robot axes). `pan` (rad) turns the head left."""
     pinhole = _pinhole(width)
     return pinhole.pixel(pinhole.seen_from(place, pan))
 

@@ -28,8 +28,8 @@ _FORGED = WORDS.cause("driver.not-signed", ("topic",))
 def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
     """Return the recording with only the driver's signed reports on these topics, each report once.
 
-    If a topic had any other message, a note names the topic. A recording without a key is returned unchanged, because
-    the run had no driver, or was recorded before drivers signed their reports.
+    If one of the topics has any other message, a note in the recording names that topic. A recording without a key is
+    returned unchanged, because the run had no driver, or was recorded before drivers signed their reports.
     """
     if not recording.process.driver_key:
         return recording
@@ -50,9 +50,9 @@ def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
 
 
 def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | None]:
-    """Return a report's number, and the report without its signature (None if the driver hasn't signed it).
+    """Return a report's number, and the report without its signature (None if the driver didn't sign it).
 
-    A text's signature is a prefix of the text, and an array's signature is in the label of its first dimension.
+    A string's signature is its prefix, and an array's signature is in the label of its first dimension.
     """
     value = arrival.value
     try:
@@ -68,19 +68,19 @@ def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | No
 
 
 def forged_report(recording: Recording) -> Verdict | None:
-    """Return a failed verdict if a topic of the driver had a message that the driver hasn't signed, otherwise None."""
+    """Return a failed verdict if a message on the driver's topics isn't signed by the driver, or None otherwise."""
     note = next((note for note in recording.notes if note.startswith(_NOT_SIGNED)), None)
     return None if note is None else _FORGED.verdict(topic=note.removeprefix(_NOT_SIGNED))
 
 
 def driver_reports(recording: Recording, topic: Topic) -> list[str]:
-    """Return the texts that a driver published on `topic`, in order of arrival."""
+    """Return the strings that a driver published on `topic`, in the order of arrival."""
     return [str(text) for text in values(recording, topic)]
 
 
 @dataclass
 class DriverCall:
-    """One call by a driver: its number, its argument as Python source, and how it ended ("returned" or "raised").
+    """One call by a driver: its number, its argument as Python source, and its outcome `how` ("returned" or "raised").
 
     `argument` and `how` are None if the driver's report didn't arrive. `sent`: the messages that the answer published
     during the call. `later`: the messages that it published between this call and the next.
@@ -95,7 +95,7 @@ class DriverCall:
 
     @property
     def complete(self) -> bool:
-        """Whether both reports on this call arrived. Only then do its messages certainly belong to it."""
+        """Whether both reports on this call arrived. Otherwise, its messages may belong to another call."""
         return self.argument is not None and self.how is not None
 
 
@@ -106,9 +106,9 @@ _ENDS = re.compile(r"call (?P<number>\d+) (?P<how>returned|raised)(?: (?P<error>
 def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[DriverCall]:
     """Return the calls that a driver reported, in order.
 
-    The reports are "call 3: name(64)" and "call 3 returned" or "call 3 raised ...". The first entry has the number 0,
-    and stands for the time before the first call. A message on `output` belongs to the call during or after which it
-    was published. If a report on a call was lost, the call isn't `complete`.
+    The reports are "call 3: name(64)" and "call 3 returned" or "call 3 raised ...". The first entry has the number 0
+    and stands for the time before the first call. A message on `output` belongs to the call during or after which the
+    message was published. If a report on a call was lost, the call isn't `complete`.
     """
     heard = [(one.published, 0, one.value.get("data")) for one in recording.topic(report.name).arrivals]
     heard += [(one.published, 1, one.value.get("data")) for one in recording.topic(output.name).arrivals]
@@ -137,7 +137,7 @@ def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[Dri
 
 
 def failed_in_call(recording: Recording, reported: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that explains an error in a call by the log's last traceback; None if there is none.
+    """Return a failed verdict that explains an error in a call by the log's last traceback, or None without one.
 
     `reported`: the driver's report on the call. The verdict quotes it after the line number in the student's file.
     """

@@ -1,4 +1,4 @@
-"""Judge how a program ends on Ctrl-C. Needs `watching(to_the_end=True)` in the criteria file."""
+"""Judge how a program exits on Ctrl-C. This needs `watching(to_the_end=True)` in the criteria file."""
 
 import re
 from dataclasses import dataclass
@@ -21,12 +21,12 @@ _AFTER_THE_END = ("error.exception", "error.destroyed", "error.context-down")
 _STILL_RUNNING = re.compile(r"^Still running: (?P<thread>.+)$", re.MULTILINE)
 """Matches a line that `workbook/inside/student_traceback.py` prints."""
 _NOT_CAUGHT = re.compile(r"^(Exception (in|ignored)|Task exception)", re.MULTILINE)
-"""Matches a line that Python prints for an exception that doesn't end the program: in a thread, finalizer, or task."""
+"""Matches a line that Python prints for an exception in a thread, finalizer, or task, which the program survives."""
 
 
 @dataclass(frozen=True)
 class _Ending:
-    """How a program ended."""
+    """The exit of a program."""
 
     process: ProcessRecord
 
@@ -44,7 +44,7 @@ class _Ending:
 
     @property
     def printed_error(self) -> bool:
-        """Whether the program ended normally, but printed a ROS error that occurred after the shutdown."""
+        """Whether the program exited with code 0, but printed a ROS error that occurred after the shutdown."""
         if self.error is None or self.process.exit != 0 or self.error.cause not in _AFTER_THE_END:
             return False
         return _NOT_CAUGHT.search(self.process.end_log) is None
@@ -64,7 +64,7 @@ class _Ending:
 
     @property
     def thread_that_stays(self) -> str:
-        """The thread that kept running after Ctrl-C, as the end of a sentence; empty if unknown."""
+        """The thread that kept running after Ctrl-C, as the end of a sentence, or "" if it's unknown."""
         found = _STILL_RUNNING.search(self.process.end_log)
         return f"; this thread kept running: {found['thread']}" if found else ""
 
@@ -91,12 +91,12 @@ _BY_EXIT_CODE = WORDS.rules(
 
 
 def exits_cleanly(recording: Recording) -> Verdict:
-    """Check that the program ends on Ctrl-C (SIGINT) with exit code 0 and without a traceback.
+    """Check that the program exits on Ctrl-C (SIGINT) with exit code 0 and without a traceback.
 
-    If Ctrl-C interrupted rclpy's own shutdown (see `shutdown_overtaken`), the result is undecided, because any program
-    could print the same text. The judge then watches the end again, and only an end without a traceback passes.
-
-    Needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the end.
+    If Ctrl-C interrupted rclpy's own shutdown (see `shutdown_overtaken`), the verdict is inconclusive, because any
+    program could print the same error. So the judge runs the program again, and only an exit without a traceback
+    passes. This check needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the
+    program's exit.
     """
     if recording.process.ended_by is None:
         raise ValueError("exits_cleanly needs watching(to_the_end=True) in the criteria file")

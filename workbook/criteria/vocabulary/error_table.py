@@ -1,4 +1,4 @@
-"""List common errors in ROS programs: a pattern for each, its cause, and advice. The first match counts."""
+"""List common errors in ROS programs, each with a pattern, its cause, and advice. The first match is used."""
 
 from workbook.criteria.rules import Words
 from workbook.criteria.vocabulary.error_table_of_calls import ERRORS_OF_CALLS, known_errors
@@ -34,8 +34,8 @@ TAKE_OVERTAKEN = (
 )
 """Matches a traceback from a Ctrl-C that arrived while rclpy was creating the message for a callback.
 
-rclpy's C++ part raises this exception for any error in a message class.
-Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/subscription.cpp (Subscription::take_message).
+rclpy's C++ code raises this exception for any error in a message class. Source:
+https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/subscription.cpp (Subscription::take_message).
 """
 
 OVERTAKEN = f"{TRY_SHUTDOWN_OVERTAKEN}|{SPIN_OVERTAKEN}|{TAKE_OVERTAKEN}"

@@ -1,4 +1,4 @@
-"""List errors that rclpy functions raise when they're called wrongly, about QoS, timers, parameters, and so on.
+"""List errors that rclpy functions raise for wrong calls, about QoS, timers, parameters, and so on.
 
 The table is part of `KNOWN_ERRORS` in `error_table`.
 """
@@ -13,7 +13,10 @@ WORDS = Words(__file__)
 
 @dataclass(frozen=True)
 class KnownError:
-    """An error: the regular expression that recognizes it, and the reason to give, whose id is the cause id."""
+    """A known error: a regular expression that matches it, and the reason to give the student.
+
+    The reason's id is also the id of the verdict's cause.
+    """
 
     reason: Reason
     pattern: str
@@ -24,12 +27,12 @@ class KnownError:
         return self.reason.id
 
     def explained(self) -> tuple[str, str]:
-        """Return the texts `because` and `try` for this error."""
+        """Return the strings `because` and `try` for this error."""
         return self.reason(limits=ANSWER_LIMITS, writable_mib=WRITABLE_MIB)
 
 
 def known_errors(words: Words, *table: tuple[str, str]) -> tuple[KnownError, ...]:
-    """Build the rows of an error table from pairs of a cause id and a pattern. `words`: the catalog with the texts."""
+    """Build the rows of an error table from pairs of a cause id and a pattern. `words`: the catalog for the ids."""
     return tuple(
         KnownError(words.reason(cause, ("limits", "writable_mib")), pattern) for cause, pattern in table
     )

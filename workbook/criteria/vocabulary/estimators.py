@@ -27,7 +27,7 @@ class Gap:
 
 @dataclass(frozen=True)
 class Pace:
-    """How arrivals are distributed over a window: their number, mean rate, median interval, longest gap, and bursts.
+    """The distribution of arrivals over a window: their number, mean rate, median interval, longest gap, and bursts.
 
     `hz` and `typical_interval` (s) are None if there are fewer than two arrivals.
     """
@@ -45,7 +45,7 @@ class Pace:
 
 
 def mean_rate(times: Sequence[float]) -> float | None:
-    """Return the mean rate (Hz) between the first and last arrivals; None unless there are two different times."""
+    """Return the mean rate (Hz) between the first and last arrivals, or None if there aren't two different times."""
     if len(times) < 2 or times[-1] <= times[0]:
         return None
     return (len(times) - 1) / (times[-1] - times[0])
@@ -73,7 +73,7 @@ def group_starts(times: Sequence[float], near: float) -> list[float]:
 
 
 def burst_size(times: Sequence[float], period: float) -> int:
-    """Return how many messages typically arrive together: 1 for an even stream, 2 for pairs.
+    """Return the number of messages that typically arrive together: 1 for an even stream, 2 for pairs.
 
     Arrivals at most a fifth of `period` (s) apart belong together. If all messages are that close, the stream counts as
     even, not as one endless burst.

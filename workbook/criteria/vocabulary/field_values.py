@@ -1,6 +1,6 @@
 """Explain errors about a value that doesn't fit its field.
 
-They're recognized by a line that `workbook/inside/field_values.py` adds to the traceback.
+We recognize these errors by a line that `workbook/inside/field_values.py` adds to the traceback.
 """
 
 import re
@@ -65,7 +65,7 @@ _MISFITS = [
 
 
 def unknown_field(told: str) -> tuple[str, str] | None:
-    """Return the texts `because` and `try` for a field that a message doesn't have; None for other errors.
+    """Return the strings `because` and `try` for a field that a message doesn't have, or None for other errors.
 
     `told`: the error with the lines around it (see `Raised.told`).
     """
@@ -74,7 +74,7 @@ def unknown_field(told: str) -> tuple[str, str] | None:
 
 
 def value_that_misfits(told: str) -> tuple[str, str] | None:
-    """Return the texts `because` and `try` for a value that doesn't fit its field; None for other errors.
+    """Return the strings `because` and `try` for a value that doesn't fit its field, or None for other errors.
 
     `told`: the error with the lines around it (see `Raised.told`).
     """

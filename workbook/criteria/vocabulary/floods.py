@@ -1,4 +1,4 @@
-"""Explain topics with far too many messages, which are published without a pause or at a growing rate."""
+"""Explain why a topic has far too many messages: they're published without a pause, or at a growing rate."""
 
 from itertools import pairwise
 
@@ -17,7 +17,7 @@ TOO_MANY = 1.5
 FEW_AT_FIRST = 50
 """Growth is judged only if at most this many messages arrive in the topic's first period."""
 GROWS = 3.0
-"""A topic grows if its last part has at least this many times the messages of its first part (of `PARTS`)."""
+"""A topic's rate grows if the last of `PARTS` parts has at least this many times the messages of the first part."""
 
 _GROWS = WORDS.cause("rate.grows", ("expected", "counts", "part_s"), about_time=True)
 _WITHOUT_A_PAUSE = WORDS.cause(
@@ -26,7 +26,7 @@ _WITHOUT_A_PAUSE = WORDS.cause(
 
 
 def flood(recording: Recording, topic: Topic, expected: str) -> Verdict | None:
-    """Return a failed verdict for a topic that floods its subscribers; None for any other."""
+    """Return a failed verdict for a topic that floods its subscribers, or None for any other topic."""
     times = [arrival.t for arrival in recording.topic(topic.name).arrivals]
     return _grows(times, topic, expected) or _without_a_pause(times, topic, expected)
 

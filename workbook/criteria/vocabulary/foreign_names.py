@@ -1,4 +1,4 @@
-"""Explain names that don't exist here, but in ROS 1, a full installation of ROS 2, or another Python package."""
+"""Explain names that don't exist here, but do exist in ROS 1, a full ROS 2 installation, or another Python package."""
 
 import re
 from collections.abc import Mapping
@@ -43,7 +43,7 @@ _WITH_AN_ENTRY = {
     "ros-1": "rospy roscpp roslib rosgraph rosnode rostopic rosparam rosservice dynamic_reconfigure",
     "python": "cv",
 }
-"""More modules by catalog section. Each of them has an entry under its name."""
+"""More modules by catalog section. Each module has a catalog entry under its name."""
 _OF_RCLPY = {
     "rospy": "Rate sleep Timer Time get_time get_rostime Duration init_node Publisher Subscriber Subscription Service "
     "ServiceProxy wait_for_service wait_for_message get_param set_param has_param get_name get_namespace get_caller_id "
@@ -78,7 +78,7 @@ _SERVICES = re.compile(r"No module named '(?:std|geometry|sensor|nav)_msgs\.srv'
 
 
 def foreign_name(error: str) -> tuple[str, str, str] | None:
-    """Return the cause id for a name from elsewhere, and the texts `because` and `try`.
+    """Return the cause id for a name from elsewhere, and the strings `because` and `try`.
 
     The result is None if the error isn't about such a name.
     """

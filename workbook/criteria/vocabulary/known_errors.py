@@ -24,7 +24,7 @@ class ProgramError:
     """An error that ended or crippled a program, with its explanation.
 
     `error`: the traceback's last line. `line`: the line number in the student's file, or None. `cause`: the cause id.
-    `because` and `try_this`: the texts of the explanation.
+    `because` and `try_this`: the explanation.
     """
 
     error: str
@@ -35,12 +35,12 @@ class ProgramError:
 
     @property
     def where(self) -> str:
-        """The line number as a prefix for a message, such as "line 12: "; empty if it's unknown."""
+        """The line number as a prefix for a message, such as "line 12: ", or "" if it's unknown."""
         return f"line {self.line}: " if self.line is not None else ""
 
     @property
     def in_line(self) -> str:
-        """The line number as a part of a sentence, such as " in line 12"; empty if it's unknown."""
+        """The line number as a part of a sentence, such as " in line 12", or "" if it's unknown."""
         return f" in line {self.line}" if self.line is not None else ""
 
     def verdict(self, saw: str, expected: str, *, about_time: bool = False) -> Verdict:
@@ -51,7 +51,7 @@ class ProgramError:
 _SAYS_NOT_WHICH_NAME = (UNKNOWN_ERROR.cause, "error.module-without-name", "error.import-not-found")
 _WITH_AN_ERROR = " with an error"
 AN_ERROR_ENDED_IT = f"; the program ended{_WITH_AN_ERROR}"
-"""The clause that connects the text `saw` to the error that ended the program."""
+"""The clause that connects the string `saw` to the error that made the program exit."""
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
 """Matches the error with which OpenMP ends a process, such as PyTorch's, if the kernel refuses a new thread."""
 _EXECUTOR_LEFT = re.compile(
@@ -68,7 +68,7 @@ _EXECUTOR = "/rclpy/executors.py"
 
 
 def find_error(log: str, program_name: str = "") -> ProgramError | None:
-    """Return the Python error to blame in a program's log, with an explanation; None if there is none.
+    """Return the Python error to blame in a program's log, with an explanation, or None if there is none.
 
     If there are several errors, return the main program's last one (see `main_one`). In a chain of exceptions, return
     the first one (see `first_cause`). If `program_name` is given, only frames in that file determine the line number.
@@ -89,9 +89,9 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
 
 
 def _error_of_library(log: str) -> ProgramError | None:
-    """Return the log's last line as an error if it's OpenMP's reason for ending the program, otherwise None.
+    """Return the log's last line as an error if it's OpenMP's reason for terminating the program, or None otherwise.
 
-    A program that ends this way prints no traceback.
+    A program that OpenMP terminates doesn't print a traceback.
     """
     lines = log.strip().splitlines()
     return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
@@ -119,11 +119,10 @@ def _explained(error: str, told: str, line: int | None, *, own: bool = False) ->
 
 
 def without_executors_end(log: str) -> str:
-    """Return the log without the lines that rclpy prints at the end of a correct program.
+    """Return the log without the lines that rclpy may print when a correct program exits.
 
-    - "Exception ignored in Executor.__del__": Python may collect an executor's guard condition before the executor.
-      The executor's finalizer then tries to destroy the guard condition again. We saw this twice in a few thousand
-      runs.
+    - "Exception ignored in Executor.__del__": Python may collect an executor's guard condition before the executor. The
+      executor's finalizer then tries to destroy the guard condition again. We saw this twice in a few thousand runs.
     - "Exception in thread", if a thread spins while another thread shuts the context down (see `shutdown_overtaken`).
 
     Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__, Executor.shutdown).
@@ -132,7 +131,7 @@ def without_executors_end(log: str) -> str:
 
 
 def failed_while_spinning(log: str) -> bool:
-    """Return whether the last Python error in a log surfaced while the program was spinning, as in a callback.
+    """Return whether the last Python error in a log was raised while the program was spinning, as in a callback.
 
     In that case, the traceback contains a frame of rclpy's executor.
     """
@@ -141,13 +140,13 @@ def failed_while_spinning(log: str) -> bool:
 
 
 def shutdown_overtaken(log: str) -> bool:
-    """Return whether a log's only error is that Ctrl-C shut the context down in the middle of rclpy's own work.
+    """Return whether a log's only error is that Ctrl-C shut the context down while rclpy was using it.
 
     `rclpy.try_shutdown()` checks whether the context is valid, and then shuts it down. A spin checks whether the
     context is valid, and then waits. Between the two steps, rclpy's thread that handles Ctrl-C may shut the context
-    down. A correct program then ends with a traceback and exit code 1. In our measurement, `try_shutdown` failed in 4
-    of about 550 runs, on two processors with work for ten. A Ctrl-C that arrives while rclpy creates a message leads to
-    a different error (see `TAKE_OVERTAKEN`). Because any program can print this text, it's a reason to judge the
+    down. A correct program then exits with a traceback and exit code 1. In our measurement, on two processors with work
+    for ten, `try_shutdown` failed in 4 of about 550 runs. A Ctrl-C that arrives while rclpy creates a message leads to
+    a different error (see `TAKE_OVERTAKEN`). Any program can print such an error. So the error is a reason to judge the
     program again (`workbook.exercise.inconclusive`), but never a reason to let it pass.
 
     Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
@@ -158,16 +157,16 @@ def shutdown_overtaken(log: str) -> bool:
 
 
 def last_error(recording: Recording) -> ProgramError | None:
-    """Return the last Python error in the program's log, with an explanation; None if there is none."""
+    """Return the last Python error in the program's log, with an explanation, or None if there is none."""
     return find_error(recording.process.log, recording.process.program)
 
 
 def failed_by_error(
     recording: Recording, saw: str, expected: str, *, about_time: bool = False
 ) -> Verdict | None:
-    """Return a failed verdict that blames the last Python error in the program's log; None if there is none.
+    """Return a failed verdict that blames the last Python error in the program's log, or None if there is none.
 
-    `saw` says what is missing because of the error. The error is appended to it.
+    `saw` describes the consequence of the error, which is appended to `saw`.
     """
     error = last_error(recording)
     if error is None:
@@ -183,8 +182,8 @@ def failed_by_error(
 def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:
     """Return a failed verdict that blames the last Python error after Ctrl-C.
 
-    The result is None if there is no error, or only an error in rclpy's own shutdown. `saw` says what is missing
-    because of the error. The error is appended to it.
+    The result is None if there is no error, or only an error in rclpy's own shutdown. `saw` describes the consequence
+    of the error, which is appended to `saw`.
     """
     process = recording.process
     error = None if shutdown_overtaken(process.end_log) else find_error(process.end_log, process.program)

@@ -1,6 +1,6 @@
 """Explain errors about a name that an object or module lacks.
 
-For many of them, `workbook/inside/missing_names.py` adds a line with details to the traceback.
+For many of these errors, `workbook/inside/missing_names.py` adds a line with details to the traceback.
 """
 
 import re
@@ -42,7 +42,7 @@ _NO_ATTRIBUTE = WORDS.reason("error.no-such-attribute", ("name", "kind"))
 
 
 def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | None:
-    """Return the cause id for a missing name, and the texts `because` and `try`; None for other errors.
+    """Return the cause id for a missing name, and the strings `because` and `try`, or None for other errors.
 
     `told`: the error with the lines around it (see `Raised.told`). `own`: whether the program itself, rather than a
     library, looked the name up.
@@ -60,9 +60,9 @@ def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | 
 
 
 def _noted(told: str) -> tuple[str, str, str] | None:
-    """Return the cause id and texts for the line that the program's host added; None if it added no line.
+    """Return the cause id and strings for the line that the program's host added, or None if it didn't add one.
 
-    Such a line is about a keyword or method that belongs elsewhere, or an attribute that is set late or overwritten.
+    Such a line is about a keyword or method that belongs elsewhere, or an attribute that's set late or overwritten.
     """
     if keywords := _KEYWORDS.search(told):
         return _explained(_KEYWORD, function=keywords["function"], names=keywords["names"])

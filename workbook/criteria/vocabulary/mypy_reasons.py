@@ -1,4 +1,4 @@
-"""Explain why mypy objects to code in an answer, and what to try. The first matching reason counts."""
+"""Explain why mypy rejects code in an answer, and suggest a fix. The first matching reason is used."""
 
 from workbook.criteria.rules import Reason, Words
 from workbook.recording.recording import Finding
@@ -27,7 +27,7 @@ REASONS = tuple(
         ("mypy.syntax", "syntax", ""),
     )
 )
-"""Rows of a reason, a code, and a text. The reason applies to findings with this code whose message has this text."""
+"""Rows of a reason, a code, and a string. A reason applies to findings with this code and this string in them."""
 OTHER = WORDS.reason("mypy.other")
 
 

@@ -58,7 +58,7 @@ _OF_METHODS = {
 }
 _METHOD = re.compile(r"(?:'(?P<owner>\w+)' object|module 'rclpy') has no attribute '(?P<name>\w+)'")
 _OF_TIMES = ("seconds", "to_sec", "to_nsec")
-"""Methods of times only. Classes that aren't from rclpy may define attributes with these names."""
+"""Names that we explain only for times, because other classes may define attributes with these names."""
 _NAME = re.compile(
     r"module '(?P<in>[\w.]+)' has no attribute '(?P<name>\w+)'|"
     r"cannot import name '(?P<imported>\w+)' from '(?P<from>[\w.]+)'"
@@ -67,7 +67,7 @@ _ROS_MODULE = re.compile(r"rclpy\b|\w+_(?:msgs|srvs|interfaces)\b")
 
 
 def name_elsewhere(error: str) -> tuple[str, str, str] | None:
-    """Return the cause id and the texts `because` and `try` for a name from elsewhere; None for other errors."""
+    """Return the cause id and the strings `because` and `try` for a name from elsewhere, or None for other errors."""
     asked = _NAME.search(error)
     name, module = (asked["name"] or asked["imported"], asked["in"] or asked["from"]) if asked else ("", "")
     home = _HOMES.get(name, module)

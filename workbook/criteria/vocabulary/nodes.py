@@ -16,9 +16,9 @@ WORDS = Words(__file__)
 
 @dataclass(frozen=True)
 class _Wanted:
-    """A node that should be in the graph, and the nodes that are. `beside` and `how`: see `on_the_graph`.
+    """A node that should be in the graph, and the nodes that were found there.
 
-    `other`: the name of the found node to compare with.
+    `beside` and `how`: see `on_the_graph`. `other`: the found node whose name is compared with the wanted one.
     """
 
     wanted: str
@@ -37,7 +37,7 @@ class _Wanted:
 
     @property
     def duplicate(self) -> str | None:
-        """The name of another required node that is in the graph more than once; None if there is none."""
+        """The name of another required node that is in the graph more than once, or None if there is none."""
         return next((name for name in self.beside if name in self.found and self.found[name].most > 1), None)
 
     @property
@@ -93,8 +93,8 @@ def on_the_graph(
 ) -> Verdict:
     """Check that the graph contains exactly one node named `name` (fully qualified, such as "/robot/left_camera").
 
-    `beside`: the exercise's other nodes, so that none of them is mistaken for a misspelling of `name`. `how`: advice
-    for the student if the node has a different name.
+    `beside`: the exercise's other nodes, which must not be mistaken for misspellings of `name`. `how`: advice for the
+    student if the node has a different name.
     """
     found = {node.name: node for node in recording.nodes}
     node = _Wanted(name, found, beside, how or _how(name))
@@ -112,9 +112,9 @@ def _how(name: str) -> str:
 
 
 def nodes_gone_at_end(recording: Recording) -> Verdict:
-    """Check that none of the program's nodes remains in the graph after the program ends.
+    """Check that none of the program's nodes remains in the graph after the program exits.
 
-    Needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the end.
+    This check needs `watching(to_the_end=True)`. Raises ValueError if the recording doesn't include the exit.
     """
     watched = [node for node in recording.nodes if node.stayed is not None]
     if recording.nodes and not watched:

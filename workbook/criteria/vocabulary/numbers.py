@@ -18,13 +18,13 @@ from workbook.recording.recording import Recording
 WORDS = Words(__file__)
 
 LEAST_OTHERS, STANDS_OUT = 4, 3.0
-"""When a 0.0 stands out among the other numbers (see `_zero_that_stands_out`).
+"""The conditions for a 0.0 to stand out among the other numbers (see `_zero_that_stands_out`).
 
-There must be at least the first many other numbers. The step between the 0.0 and its neighbor must exceed the largest
-step between two other numbers by more than the second factor.
+There must be at least `LEAST_OTHERS` other numbers. The step between the 0.0 and its neighbor must be more than
+`STANDS_OUT` times the largest step between two other numbers.
 """
 RARELY = 0.25
-"""If at most this share of the messages rise, the rises count as exceptions in a level that otherwise falls."""
+"""If at most this fraction of the messages rise, the rises count as exceptions in a level that otherwise falls."""
 _NOT_FINITE = WORDS.cause("finite.not-finite", ("bad",))
 _ZERO = WORDS.cause("really-arrives.zero", ("topic", "where"), recheck_fields=True)
 _ZERO_BY_TYPE = WORDS.seen("really-arrives.by-type", ("topic", "where"))
@@ -54,7 +54,7 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     zeros = [place for place, value in enumerate(seen) if value == 0.0]
     followed = [place for place in zeros if any(value != 0.0 for value in seen[place:])]
-    # If the field checks found no wrong type, the zeros are meant. Other criteria judge a rise after them.
+    # If the field checks didn't find a wrong type, the zeros are intended. Other criteria judge a rise after them.
     meant = said_by_field_checks(recording) == "" and seen[:1] != [0.0]
     if meant or (not followed and (not seen or seen[0] != 0.0)):
         return passed(
@@ -84,7 +84,7 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
 
 
 def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
-    """Return the index of the first 0.0 that is unusually far from its neighbor; None if there is none.
+    """Return the index of the first 0.0 that is unusually far from its neighbor, or None if there is none.
 
     Unusually far means `STANDS_OUT` times as far as any two other numbers in a row.
     """
@@ -103,7 +103,7 @@ def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
 
 
 def _zero_that_stays(seen: Sequence[float]) -> int | None:
-    """Return the index of the first 0.0 after a topic's last other number; None unless several zeros follow it.
+    """Return the index of the first 0.0 after a topic's last other number, or None if it isn't followed by more zeros.
 
     One cause of such zeros is `max(0, level)`, which returns an int once the level is below zero.
     """
@@ -112,7 +112,7 @@ def _zero_that_stays(seen: Sequence[float]) -> int | None:
 
 
 def _in_all(seen: Sequence[object]) -> str:
-    """Say that something is in every message."""
+    """Return a phrase such as "in all 12 messages"."""
     return f"in all {len(seen)} messages" if len(seen) > 1 else "in the only message"
 
 
@@ -131,7 +131,7 @@ def _zeros(recording: Recording, topic: Topic, where: str) -> Verdict:
 
 
 def _bound(value: float, pi: str = "π") -> str:
-    """Return a bound as text, with ±π as the symbol, because a rounded π could be larger than π."""
+    """Return a bound as a string, with ±π as the symbol, because a rounded π could be larger than π."""
     if math.isclose(abs(value), math.pi):
         return f"-{pi}" if value < 0 else pi
     return number(value)
@@ -198,7 +198,7 @@ _OUTSIDE = WORDS.rules(
 def within(
     recording: Recording, topic: Topic, low: float, high: float, unit: str = "", slack: float = 1e-6
 ) -> Verdict:
-    """Check that every value is in [low, high]. `slack` allows for rounding to 32 bits. NaN passes; see `finite`."""
+    """Check that every value is in [low, high], up to `slack` for 32-bit rounding. NaN passes: use `finite` as well."""
     least, most = low - slack, high + slack
     bad = first_offender(recording, topic, lambda x: isinstance(x, (int, float)) and (x < least or x > most))
     unit = f" {unit}" if unit else ""

@@ -26,10 +26,10 @@ def script(recording: Recording, topic: str) -> list[Published]:
 
 
 def latest_before(inputs: Iterable[tuple[float, In]], published: float) -> In | None:
-    """Return the last input before an output was published; None if there was none.
+    """Return the last input before an output was published, or None if there was none.
 
-    `inputs`: pairs of a wall time (s) and an input, in any order. For the messages from the function `published`, the
-    time is their `wall`. Of two inputs with equal times, the second counts as later. `published`: the wall time (s) at
+    `inputs`: pairs of a wall time (s) and an input, in any order. For messages from the function `published`, use their
+    `wall` as the time. Of two inputs with equal times, the second counts as later. `published`: the wall time (s) at
     which the output was published, such as an arrival's `published`.
     """
     latest = None
@@ -48,7 +48,7 @@ def pair_in_order(
     may_be_extra: Callable[[Out], bool] = lambda _: False,
     excusable: Callable[[In], bool] = lambda _: False,
 ) -> list[tuple[In, Out]] | None:
-    """Pair inputs with outputs, one to one and in order. Return the pairs, or None if they don't fit.
+    """Pair inputs with outputs, one to one and in order. Return the pairs, or None if that's impossible.
 
     Every input needs an output that `belongs` to it, unless `may_be_missing` is true for that input. In addition, one
     input for which `excusable` is true may lack an output. Outputs after the last pair must satisfy `may_be_extra`.
@@ -73,7 +73,7 @@ def pair_in_order(
 
 # Sets of outputs are integers. Bit j stands for outputs[j], or means that exactly the first j outputs can be paired.
 _Row = tuple[int, bool, bool]
-"""For one input: the outputs that belong to it, whether it may lack an output, and whether it can be excused."""
+"""For one input: the outputs that belong to it, whether it may lack an output, and whether its lack can be excused."""
 
 
 def _looked_up(
@@ -85,9 +85,10 @@ def _looked_up(
 ) -> list[_Row] | None:
     """Return a row for each input, limited to outputs that can be reached.
 
-    An output can be reached if all earlier inputs and outputs can be paired. Return None if an input can reach none.
+    An output can be reached if all earlier inputs and outputs can be paired. Return None if an input can't reach any
+    output.
     """
-    # How many outputs the inputs so far can be paired with: without the excuse, and after using it.
+    # The numbers of outputs with which the inputs so far can be paired: without the excuse, and after using it.
     plain, excused = 1, 0
     table = []
     for one in inputs:
@@ -105,10 +106,10 @@ def _looked_up(
 
 
 def _from_where_it_fits(table: Sequence[_Row], outputs: int, last: int) -> list[tuple[int, int]] | None:
-    """Return, for the moment after each input, the positions from which the remaining inputs can be paired.
+    """Return, for each input, the positions in the outputs from which the inputs after it can be paired.
 
-    Each entry has the positions while the excuse is still available, and the positions after it was used. The result is
-    None if the inputs can't be paired from the start.
+    Each entry has the positions while the excuse is still available, and the positions after the excuse was used. The
+    result is None if the inputs can't be paired from the start.
 
     `outputs`: the number of outputs. `last`: the index from which on all outputs may be extra.
     """

@@ -9,7 +9,7 @@ SMALLEST, LARGEST = 1e-9, 1e12
 
 
 def number(value: float) -> str:
-    """Return a number as text, as a person would write it: at most four significant digits, and seldom an exponent.
+    """Return a number as a person would write it: with at most four significant digits, and seldom an exponent.
 
     Examples are 0.5, 12, 3.142, and 137000. Only extreme numbers, such as 1e38, have an exponent.
     """
@@ -18,7 +18,7 @@ def number(value: float) -> str:
 
 
 def hertz(value: float) -> str:
-    """Return a measured rate (Hz) as text, with two significant digits, because a few messages allow no more."""
+    """Return a measured rate (Hz) with two significant digits, because a few messages don't justify more digits."""
     return f"{float(f'{value:.2g}'):g}"
 
 

@@ -6,7 +6,7 @@ from workbook.recording.recording import Recording
 def processor_share(
     recording: Recording, begin: float | None = None, end: float | None = None
 ) -> float | None:
-    """Return the average share of one processor (1.0: all of it) that the program used between two wall times (s).
+    """Return the average fraction of one processor (1.0: all of it) that the program used between two wall times (s).
 
     The result is None if the recording has fewer than two samples in that span.
     """

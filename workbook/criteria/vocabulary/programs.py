@@ -1,4 +1,4 @@
-"""Judge the program as a whole: whether it starts, and whether it keeps running until the judge stops watching."""
+"""Judge the whole program: whether it starts, and whether it keeps running until the judge stops watching."""
 
 from dataclasses import dataclass
 
@@ -20,17 +20,17 @@ from workbook.recording.recording import ProcessRecord, Recording
 WORDS = Words(__file__)
 
 AT_ONCE_S = 8.0
-"""An error within this time (s) of the start may have ended the program while it was starting.
+"""An error within this time (s) of the start may have occurred while the program was starting.
 
 On a very busy machine, a program may take that long to start.
 """
 A_ROUND_S = 0.95
 """If a program spun for at least this long (s), the judge has certainly seen its publishers.
 
-Before that, it's a matter of chance whether the judge saw them.
+If it spun for a shorter time, the judge may have missed them by chance.
 """
 ANOTHER_MIDDLEWARE = "Expected RMW implementation identifier"
-"""The message that rcl logs before it ends a program with exit code 102."""
+"""The message that rcl logs before it terminates a program with exit code 102."""
 
 
 @dataclass(frozen=True)
@@ -92,8 +92,8 @@ _ENDED_BY_ITSELF = WORDS.cause("alive-at-end.ended", _Program)
 def program_runs(recording: Recording) -> Verdict:
     """Check that the program starts, and that its node or one of its publishers appears in the graph.
 
-    This function is a finished criterion, which is worth no points. To let other criteria depend on it, import it into
-    the criteria file: `from workbook.criteria import program_runs`.
+    This function is a complete criterion that's worth no points. To let other criteria depend on it, import it into the
+    criteria file: `from workbook.criteria import program_runs`.
     """
     forged = forged_report(recording)
     if forged is not None:
@@ -133,8 +133,8 @@ def _got_going(recording: Recording) -> bool:
     """Return whether a message arrived, or a publisher appeared and stayed while the program ran.
 
     A program that fails in its first lines may briefly have publishers and send one message per topic, but it doesn't
-    count as running. A program that fails in a callback does count, even if its timer fired only once. Chance decides
-    how many of its messages arrive.
+    count as running. A program that fails in a callback does count, even if its timer fired only once, because chance
+    decides how many of its messages arrive.
     """
     topics = recording.topics.values()
     if _failed_at_once(recording):
@@ -149,9 +149,9 @@ def _got_going(recording: Recording) -> bool:
 
 
 def _failed_at_once(recording: Recording) -> bool:
-    """Return whether an error ended the program right away.
+    """Return whether the program exited with an error right away.
 
-    That means that it ended within `AT_ONCE_S`, no topic had a second message, and the program hadn't spun for
+    That means that it exited within `AT_ONCE_S`, no topic had a second message, and the program hadn't spun for
     `A_ROUND_S`.
     """
     process = recording.process
@@ -169,9 +169,9 @@ def _failed_at_once(recording: Recording) -> bool:
 
 
 def ended_by_error(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames the error that ended the program.
+    """Return a failed verdict that blames the error that made the program exit.
 
-    The result is None if the program kept running or ended without an error.
+    The result is None if the program kept running or exited without an error.
     """
     if recording.process.ended_by != "itself":
         return None

@@ -75,8 +75,8 @@ def hears(recording: Recording, offered: Publishes) -> Verdict:
 def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
     """Check that every publisher on `topic` keeps its last message for late subscriptions.
 
-    Each publisher must be reliable and transient local, and a lifespan must be at least `LONG_ENOUGH_S`. If the judge
-    subscribed late, after the watch, it must also have received a message.
+    Each publisher must be reliable and transient local, and its lifespan, if any, must be at least `LONG_ENOUGH_S`. If
+    the judge created a late subscription after the watch, that subscription must also have received a message.
     """
     published = publishes(recording, topic)
     if not published.ok:

@@ -1,4 +1,7 @@
-"""Judge timing: a topic's rate, message count, and period."""
+"""Judge a topic's timing: its rate, message count, and period.
+
+A topic's *pace* is the distribution of its messages over time (see `Pace`).
+"""
 
 import math
 from collections.abc import Callable
@@ -33,7 +36,8 @@ FIRST_LATE_PERIODS = 1.2
 class _Rhythm:
     """The rhythm of a topic's messages, compared with the required rate.
 
-    `counted`: compute the rate as the number of messages divided by the time watched, not from the intervals.
+    `counted`: whether to compute the rate as the number of messages divided by the time watched, not from the
+    intervals.
     """
 
     recording: Recording
@@ -107,7 +111,7 @@ class _Rhythm:
 
     @property
     def soon(self) -> int:
-        """How many messages arrive much too soon after the previous one."""
+        """The number of messages that arrive much too soon after the previous one."""
         return sum(one < (1 - UNEVEN) * self.topic.period for one in self.intervals)
 
     @property
@@ -124,7 +128,7 @@ class _Rhythm:
     def change(self) -> tuple[str, float, str] | None:
         """A change from one even pace to another: the interval before it, its time (s), and the interval after it.
 
-        None if there was no such change. The intervals are texts.
+        The intervals are strings. None if there was no such change.
         """
         intervals = self.intervals
         at_first = median(intervals[:LEAST_INTERVALS]) if intervals else 0.0
@@ -141,7 +145,7 @@ class _Rhythm:
 
     @property
     def can_tell(self) -> bool:
-        """Whether the steps of simulated time are short enough to measure this rate, as a timer fires once per step."""
+        """Whether the steps of simulated time are short enough to measure this rate. A timer fires once per step."""
         return self.recording.step_s is None or self.hz * self.recording.step_s <= 0.5 + 1e-6
 
     @property
@@ -203,7 +207,7 @@ class _Rhythm:
 
     @property
     def wanted(self) -> int:
-        """How many messages are due in the time watched."""
+        """The number of messages that are due in the time watched."""
         return round(self.watched_s * self.wanted_hz)
 
 
@@ -240,10 +244,10 @@ _OTHER_PERIOD = WORDS.cause("keeps-period.other-period", _Rhythm, about_time=Tru
 
 
 def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recording, Topic], Verdict]:
-    """Decorate a function that judges a topic's pace, so that its failed verdicts name the topic in `pace_of`.
+    """Decorate a function that judges a topic's pace: set `pace_of` to the topic in every failed verdict.
 
-    If that topic follows simulated time, a result from simulated time is final. A failure is blamed on a spin in a
-    callback or a similar fault, if the source has one (see `disturbs_itself`).
+    If the topic follows simulated time, such a verdict from simulated time is final. If the program's source spins in a
+    callback or has a similar fault (see `disturbs_itself`), the verdict blames that fault.
     """
 
     @wraps(judge)
@@ -259,9 +263,9 @@ def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recordin
 
 
 def topic_pace(recording: Recording, topic: Topic) -> Pace:
-    """Return how the messages of `topic` are distributed over its window, in simulated time.
+    """Return the pace of `topic` over its window, in simulated time.
 
-    The values are the count, the rate, the typical interval, and the longest gap.
+    The values include the count, the rate, the typical interval, and the longest gap.
     """
     seen = recording.topic(topic.name)
     start, end = _watched(recording, topic)
@@ -271,7 +275,8 @@ def topic_pace(recording: Recording, topic: Topic) -> Pace:
 @_of_pace
 @if_all_kept
 def rate(recording: Recording, topic: Topic) -> Verdict:
-    """Check that a topic's mean rate is within 20 %, and that no silence is longer than one and a half periods."""
+    """Check that a topic's mean rate is right within 20 %, and that no silence is longer than one and a half periods.
+    """
     rhythm = _Rhythm(recording, topic)
     only, expected = _ONLY(rhythm)
     flooded = flood(recording, topic, expected)
@@ -293,9 +298,9 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
 
 
 def _watched(recording: Recording, topic: Topic) -> tuple[float, float]:
-    """Return the start and end (s) of a topic's watch. If the program ended by itself, the end is its last message.
+    """Return the start and end (s) of a topic's watch. If the program exited by itself, the end is its last message.
 
-    Simulated time may run on for some seconds before the judge notices such an end. Other functions judge the end
+    Simulated time may run on for some seconds before the judge notices such an exit. Other functions judge the exit
     itself. If more messages arrived than are kept, the watch ends with the first message that wasn't kept.
     """
     start, end = window_of(recording, recording.topic(topic.name))
@@ -321,7 +326,7 @@ def _breaks_off(rhythm: _Rhythm, cause: Cause) -> Verdict:
 @_of_pace
 @if_all_kept
 def counts(recording: Recording, topic: Topic) -> Verdict:
-    """Check that the topic's window contains one message per period, give or take one message at its edge."""
+    """Check that the topic's window contains one message per period, give or take one message at the window's edge."""
     rhythm = _Rhythm(recording, topic, counted=True)
     came = rhythm.seen.count
     if abs(came - rhythm.wanted) <= 1:
@@ -339,7 +344,7 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
 @_of_pace
 @if_messages
 def keeps_period(recording: Recording, topic: Topic) -> Verdict:
-    """Check that the typical interval is within a tenth of the topic's period. A few messages are enough.
+    """Check that the typical interval differs from the topic's period by at most a tenth. A few messages are enough.
 
     On simulated time, which yields many messages, the mean interval must also be within 4 % of the period.
     """

@@ -9,10 +9,12 @@ Item = TypeVar("Item", bound=Hashable)
 
 
 class Relay(Generic[Item]):
-    """A comparison of a program's outputs with its inputs. An item is a reading, a request, or an index in the script.
+    """A comparison of a program's outputs with its inputs.
 
-    `sent`: all items, in order. `came`: the item that each output belongs to, in order. An item is missing if it came
-    less often than it was sent, and repeated if it came more often.
+    An *item* is a reading, a request, or an index in the script.
+
+    `sent`: all items, in order. `came`: the item of each output, in order. An item is missing if it came less often
+    than it was sent, and repeated if it came more often.
     """
 
     def __init__(self, sent: Sequence[Item], came: Sequence[Item]) -> None:
@@ -30,18 +32,21 @@ class Relay(Generic[Item]):
 
     @property
     def rest_is_missing(self) -> bool:
-        """Whether items are missing, and so is every item after the first missing one."""
+        """Whether the outputs were cut off: an item is missing, and all items after it are missing, too."""
         order = list(dict.fromkeys(self.sent))
         return bool(self.missing) and self.missing == order[-len(self.missing) :]
 
     @property
     def stops(self) -> bool:
-        """Whether items are missing at the end, and all items before them came in order and without repetition."""
+        """Whether items are missing at the end, and all earlier items came in order and without repetition."""
         return bool(self.missing) and self.came == self.sent[: len(self.came)]
 
 
 class Waits:
-    """How long (s) inputs waited for their outputs, in order of the inputs. A wait longer than `at_once_s` is late."""
+    """The times (s) for which inputs waited for their outputs, in the order of the inputs.
+
+    An output is late if the wait was longer than `at_once_s`.
+    """
 
     def __init__(self, seconds: Sequence[float], at_once_s: float) -> None:
         self.seconds = [*seconds]
@@ -53,8 +58,8 @@ class Waits:
         )
 
     def are_late(self, share: float) -> bool:
-        """Return whether the share of outputs that are on time is below `share`.
+        """Return whether the fraction of outputs that were on time is below `share`.
 
-        A busy machine may have delayed the others.
+        Choose a `share` below 1, because a busy machine may have delayed some of the outputs.
         """
         return len(self.late) > (1.0 - share) * len(self.seconds)

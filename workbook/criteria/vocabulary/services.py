@@ -1,4 +1,4 @@
-"""Judge the services that a program offers, the services that it calls, and the outcomes of those calls."""
+"""Judge the services that a program offers and the services that it calls."""
 
 import statistics
 from typing import Any
@@ -28,7 +28,7 @@ _NO_CLIENT = WORDS.cause("calls-service.no-client", _CALLED)
 
 
 def answered_calls(recording: Recording, service: str) -> str:
-    """Describe, as text, how many calls to a service were made, how many got a response, and how fast (median, s)."""
+    """Summarize the calls to a service: their number, the number of responses, and the median response time (s)."""
     calls = calls_of(recording, service)
     answered = [call.answered_wall - call.wall for call in calls if call.answered_wall is not None]
     took = f", in {statistics.median(answered):.2f} s" if answered else ""

@@ -1,4 +1,4 @@
-"""Explain why a topic went silent: the program crashed or ended, all topics stopped, or only that topic stopped."""
+"""Explain why a topic went silent: the program exited, all of its topics stopped, or only this topic stopped."""
 
 from itertools import pairwise
 
@@ -17,7 +17,7 @@ GOES_ON_PERIODS = 1.5
 Each period is the silent topic's required period.
 """
 GOES_ON_INTERVALS = 2.5
-"""A topic goes on if the time since its last message is at most this many times its longest interval."""
+"""A topic goes on until the end if its last silence is at most this many times its longest interval."""
 
 _PROGRAM_ENDED = WORDS.cause("silence.program-ended", ("saw", "expected"), about_time=True)
 _OWN_CLOCK = WORDS.cause("no-message.own-clock", ("saw", "expected", "nodes"))
@@ -28,7 +28,7 @@ _OF_ONE = WORDS.cause("silence.of-one", ("saw", "expected", "going_on", "topic")
 
 
 def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames the program's end, or the error behind it; None if the program runs on."""
+    """Return a failed verdict that blames the program's exit or the error behind it, or None if the program runs on."""
     if recording.process.ended_by != "itself":
         return None
     blamed = failed_by_error(recording, f"{saw}{AN_ERROR_ENDED_IT}", expected, about_time=True)
@@ -36,10 +36,10 @@ def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | No
 
 
 def ended_or_error(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames the program's end, or else the last error in its log.
+    """Return a failed verdict that blames the program's exit, or else the last error in its log.
 
-    The result is None if there is neither. Feedback should name an end before its consequences, so call this before
-    you check any other cause of missing messages.
+    The result is None if there is neither. Feedback should name an exit before its consequences, so call this function
+    before you check any other cause of missing messages.
     """
     return program_ended(recording, saw, expected) or failed_by_error(
         recording, saw, expected, about_time=True
@@ -47,7 +47,7 @@ def ended_or_error(recording: Recording, saw: str, expected: str) -> Verdict | N
 
 
 def goes_on(recording: Recording, name: str) -> bool:
-    """Return whether the topic `name` has messages until the end of the watch."""
+    """Return whether messages kept arriving on the topic `name` until the end of the watch."""
     seen = recording.topic(name)
     times = [arrival.t for arrival in seen.arrivals]
     longest = max((after - before for before, after in pairwise(times)), default=0.0)
@@ -56,7 +56,7 @@ def goes_on(recording: Recording, name: str) -> bool:
 
 
 def waits_for_clock(recording: Recording, topic: Topic, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict for a silent topic if its node subscribed to /clock by itself, otherwise None."""
+    """Return a failed verdict for a silent topic if its node itself subscribed to /clock, or None otherwise."""
     nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
     waiting = [node for node in recording.own_clock if node in nodes]
     return _OWN_CLOCK.verdict(saw=saw, expected=expected, nodes=waiting) if waiting else None
@@ -85,8 +85,8 @@ def others_within(recording: Recording, topic: Topic, start: float, end: float) 
 def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expected: str) -> Verdict | None:
     """Return a failed verdict for a topic whose last message arrived at `since` (simulated time, s).
 
-    The result is None if there is no other topic to compare with, and no other explanation. If other topics go on, and
-    this topic followed simulated time, a busy machine can't be the cause, so the verdict isn't `about_time`.
+    The result is None if there is no other topic to compare with, and no other explanation. If other topics go on
+    although this topic followed simulated time, a busy machine can't be the cause, so the verdict isn't `about_time`.
     """
     ended = program_ended(recording, saw, expected)
     if ended is not None:

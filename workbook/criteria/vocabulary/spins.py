@@ -1,4 +1,4 @@
-"""Explain a silence by the program's source code, which may spin or wait wrongly, or call rclpy.init() in a loop."""
+"""Explain a silence by a fault in the program's source: a wrong spin or wait, or rclpy.init() in a loop."""
 
 from workbook.criteria.rules import Words
 from workbook.criteria.verdict import Verdict
@@ -32,8 +32,8 @@ _KEEPING = {
 def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | None:
     """Return a failed verdict that blames a spin or wait in a callback, a wait in vain, or rclpy.init() in a loop.
 
-    The result is None if the source has none of these, or if the program ended by itself. Source code alone proves
-    nothing, so call this only if the recording shows a fault, which `saw` describes.
+    The result is None if the source has none of these faults, or if the program exited by itself. Source code alone
+    doesn't prove anything, so call this function only if the recording shows a fault, which `saw` describes.
     """
     found = (
         _DISTURBING[spin.waits, bool(spin.callback)].verdict(saw=saw, expected=expected, spin=spin)
@@ -44,9 +44,9 @@ def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | 
 
 
 def initialized_again(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames an rclpy.init() in a loop.
+    """Return a failed verdict that blames a call of rclpy.init() in a loop.
 
-    The result is None if the source has no such loop, or if the program ended by itself.
+    The result is None if the source has no such loop, or if the program exited by itself.
     """
     if recording.process.ended_by == "itself" or not recording.repeated_init:
         return None
@@ -59,7 +59,7 @@ def held_by_a_spin(
     """Return a failed verdict that blames a spin for something that is missing, such as a publisher.
 
     The spin doesn't return, so the lines after it never run. The faults of `disturbs_itself` are checked first. The
-    result is None if the source has no such fault, or if the program ended by itself.
+    result is None if the source has no such fault, or if the program exited by itself.
 
     `of_a_spun_node`: whether the node's other callbacks run. If so, an unspun node can't be the cause.
     """

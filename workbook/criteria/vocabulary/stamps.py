@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 
 class Stamp(NamedTuple):
-    """A timestamp in seconds and nanoseconds, like `builtin_interfaces/Time`. `_asdict()` returns its fields."""
+    """A timestamp in seconds and nanoseconds, as in `builtin_interfaces/Time`. `_asdict()` returns the fields."""
 
     sec: int
     nanosec: int

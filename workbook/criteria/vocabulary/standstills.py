@@ -1,4 +1,4 @@
-"""Remove the pauses from a recording in which the machine kept the judge itself from running."""
+"""Remove from a recording the pauses in which the machine kept the judge itself from running."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -10,13 +10,13 @@ from workbook.recording.recording import Arrival, Recording
 def without_standstills(recording: Recording, period_s: float, longest_s: float) -> Recording:
     """Return the recording without the pauses in which the judge couldn't publish its messages.
 
-    Whatever held up the judge in such a pause most likely held up the program, too. So the program's messages weren't
-    as late as they look. `period_s`: the script's period. `longest_s`: the longest time between two of the script's
-    messages that still counts as usual.
+    The cause of such a pause most likely held up the program, too, so the program's messages weren't as late as they
+    look. `period_s`: the script's period (s). `longest_s`: the longest time (s) between two of the script's messages
+    that isn't such a pause.
     """
 
     def moments(sent: Sequence[float]) -> Callable[[float], float]:
-        """Return a function that subtracts all earlier pauses from a time (s). `sent`: when the judge published (s)."""
+        """Return a function that subtracts all earlier pauses from a time (s). `sent`: the publication times (s)."""
         still = [(a, b - a - period_s) for a, b in pairwise(sorted(sent)) if b - a > longest_s]
         return lambda at: at - sum(min(max(at - begin, 0.0), lasted) for begin, lasted in still)
 

@@ -1,4 +1,4 @@
-"""Explain why a program was ended from outside, by one of the judge's limits or by a signal."""
+"""Explain why a program was terminated from outside, because of one of the judge's limits or by a signal."""
 
 from typing import Any
 
@@ -35,15 +35,15 @@ _SIGNALS = {
 
 
 def stopped_by_judge(process: ProcessRecord, begin: str, end: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that names the limit that the stopped program exceeded; None if the judge didn't stop it.
+    """Return a failed verdict that names the limit for which the judge stopped the program, or None if it didn't.
 
-    `begin` and `end`: the text before and after a phrase such as "printed more than 50 MB".
+    `begin` and `end`: the strings before and after a phrase such as "printed more than 50 MB".
     """
     hit = [limit for limit in process.limits_hit if limit in _STOPS] if process.ended_by == "judge" else []
     return _STOPS[hit[0]].verdict(begin=begin, end=end, expected=expected, **_LIMITS) if hit else None
 
 
 def ended_by_signal(process: ProcessRecord, saw: str, expected: str) -> Verdict:
-    """Return a failed verdict that blames the signal that ended the program."""
+    """Return a failed verdict that blames the signal that terminated the program."""
     cause = _SIGNALS.get(process.signal or "", _SIGNALS["other"])
     return cause.verdict(saw=saw, expected=expected, limits=ANSWER_LIMITS)

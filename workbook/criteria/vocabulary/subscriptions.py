@@ -21,7 +21,7 @@ _OTHER_NAME = WORDS.cause("listens.other-name", ("topic", "near"))
 
 
 def asks_for_other_qos(recording: Recording, name: str, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict if rclpy logged incompatible QoS for a subscription to topic `name`, otherwise None."""
+    """Return a failed verdict if rclpy logged incompatible QoS for a subscription to `name`, or None otherwise."""
     policy = next((said for topic, said in OTHER_QOS.findall(recording.process.log) if topic == name), None)
     if policy is None:
         return None

@@ -1,4 +1,4 @@
-"""Judge texts that arrive on a topic."""
+"""Judge strings that arrive on a topic."""
 
 from collections.abc import Collection
 
@@ -21,7 +21,7 @@ _EMPTY = WORDS.cause("has-text.empty", ("topic", "empty", "all", "quoted"), rech
 
 @if_messages
 def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verdict:
-    """Check that every text on `topic` is one of the `allowed` words."""
+    """Check that every string on `topic` is one of the `allowed` words."""
     words = listing([f'"{word}"' for word in sorted(allowed, reverse=True)]).replace(" and ", " or ")
     said = values(recording, topic)
     wrong = [value for value in said if not isinstance(value, str) or value not in allowed]
@@ -35,7 +35,7 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
 
 @if_messages
 def has_text(recording: Recording, topic: Topic) -> Verdict:
-    """Check that no text on `topic` is empty."""
+    """Check that no string on `topic` is empty."""
     said = values(recording, topic)
     empty = sum(text == "" for text in said)
     if not empty:

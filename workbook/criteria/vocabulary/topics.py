@@ -28,7 +28,7 @@ P = ParamSpec("P")
 
 @dataclass(frozen=True)
 class _OnTopic:
-    """A topic, and the recording that it's judged in."""
+    """A topic, and the recording in which it's judged."""
 
     recording: Recording
     topic: Topic
@@ -43,7 +43,7 @@ class _Publishing(_OnTopic):
 
     @property
     def others(self) -> list[str]:
-        """The other types on the topic."""
+        """The types on the topic other than the required one."""
         return [name for name in self.seen.types if name != self.topic.type]
 
     @property
@@ -62,7 +62,7 @@ class _Publishing(_OnTopic):
 
     @cached_property
     def meant(self) -> str:
-        """The name of an unexpected topic that was probably meant to be this topic; "" if there is none."""
+        """The name of an unexpected topic that was probably meant to be this topic, or "" if there is none."""
         strange = [other for other in self.own if other.name not in self.recording.wanted]
         others = [other.name for other in strange]
         wanted = self.topic.name
@@ -118,18 +118,18 @@ class _Arriving(_OnTopic):
 
     @property
     def since(self) -> str:
-        """When the first undecodable or too large message arrived, as the end of a sentence; "" if it's unknown."""
+        """The time of the first undecodable or too large message, as the end of a sentence, or "" if it's unknown."""
         return "" if self.seen.broken_at is None else f", the first at {seconds(self.seen.broken_at)}"
 
     @property
     def lasted(self) -> float:
-        """How long the topic was watched (s)."""
+        """The time (s) for which the topic was watched."""
         start, end = window_of(self.recording, self.seen)
         return end - start
 
     @property
     def lasted_until_full(self) -> float:
-        """How long the topic was watched before more messages arrived than are kept (s)."""
+        """The time (s) for which the topic was watched before its quota of kept messages was used up."""
         start, _ = window_of(self.recording, self.seen)
         return max(0.0, (self.seen.full_at or 0.0) - start)
 
@@ -201,19 +201,19 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
 
 
 def similar_share(one: str, other: str) -> float:
-    """Return how similar two names are, from 0 to 1."""
+    """Return the similarity of two names, from 0 to 1."""
     return difflib.SequenceMatcher(None, one, other).ratio()
 
 
 def misspelled(recording: Recording, wanted: str, names: Iterable[str]) -> str | None:
-    """Return which of the unexpected `names` was probably meant to be `wanted`; None if none is similar enough."""
+    """Return the unexpected name that was probably meant to be `wanted`, or None if no name is similar enough."""
     strange = sorted(set(names).difference(recording.wanted))
     near = max(strange, key=lambda name: similar_share(name, wanted), default=None)
     return near if near is not None and similar_share(near, wanted) > ALIKE else None
 
 
 def no_message(recording: Recording, topic: Topic) -> Verdict | None:
-    """Return a failed verdict if no message arrived on `topic`, otherwise None."""
+    """Return a failed verdict if no message arrived on `topic`, or None otherwise."""
     one = _Arriving(recording, topic)
     if one.seen.arrivals:
         return None
@@ -237,7 +237,7 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
 def if_messages(
     word: Callable[Concatenate[Recording, Topic, P], Verdict],
 ) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
-    """Decorate a function that judges a topic's messages, so that its verdict is `no_message` if none arrived."""
+    """Decorate a function that judges a topic's messages, so that it returns `no_message` if none arrived."""
 
     @wraps(word)
     def judge(recording: Recording, topic: Topic, /, *args: P.args, **kwargs: P.kwargs) -> Verdict:
@@ -249,10 +249,10 @@ def if_messages(
 def if_all_kept(
     word: Callable[Concatenate[Recording, Topic, P], Verdict],
 ) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
-    """Decorate a function that judges every message of a topic, so that it fails if some messages can't be judged.
+    """Decorate a function that judges every message on a topic, so that messages which can't be judged fail.
 
-    It fails if no message arrived, or if a message was undecodable or too large, even next to valid messages. If all
-    kept messages pass, but more messages arrived than are kept, it also fails.
+    The verdict fails if no message arrived, or if any message was undecodable or too large, even if the others are
+    valid. It also fails if all recorded messages pass, but some weren't recorded because there were too many.
     """
 
     @wraps(word)
@@ -267,7 +267,7 @@ def if_all_kept(
 
 
 def needs_messages(topic: Topic) -> Callable[[CriterionFunction], CriterionFunction]:
-    """Decorate a judging function, so that its verdict is `no_message` if no message arrived on `topic`."""
+    """Decorate a judging function, so that it returns `no_message` if no message arrived on `topic`."""
 
     def guard(function: CriterionFunction) -> CriterionFunction:
         @wraps(function)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 TRACEBACK = "Traceback (most recent call last)"
 FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)(?:, in (?P<function>\S+))?')
 MAIN, THREAD, IGNORED = range(3)
-"""Where an exception surfaced: in the main thread, in another thread, or where Python ignores it, as in finalizers."""
+"""The place of an exception: in the main thread, in another thread, or where Python ignores it, as in finalizers."""
 _START = re.compile(r"^(?:Exception Group )?" + re.escape(TRACEBACK) + ":$")
 _THREAD = re.compile(r"^Exception in thread (?P<name>.*):$")
 _IGNORED = re.compile(r"^(?:Exception ignored (?:in|from|while)\b|Task exception was never|Error in atexit)")
@@ -97,7 +97,7 @@ def is_of(frame: re.Match[str], program: str) -> bool:
 
 
 class _Reader:
-    """Reads a log line by line. `chains` is a list of chains, each a list of related exceptions in order."""
+    """Reads a log one line at a time. `chains`: one list for each chain of exceptions, in the order of raising."""
 
     def __init__(self) -> None:
         self.chains: list[list[Raised]] = []
@@ -145,7 +145,7 @@ class _Reader:
         if not self._open:
             closed = self._closed
             if closed is not None and not _EXCEPTIONAL.search(closed.name):
-                closed.lines.append(closed.error)  # a word that the program printed, not an error
+                closed.lines.append(closed.error)  # a word that the program printed rather than an error
                 closed.error, closed.notes = "", []
                 self._drop(closed)
                 self._open.append(closed)
@@ -178,7 +178,7 @@ class _Reader:
         self._chained = False
 
     def _of_a_group(self, done: Raised) -> None:
-        """Add an exception of a group to the last chain. The group's first exception replaces the group itself."""
+        """Add an exception in a group to the last chain. The group's first exception replaces the group itself."""
         chain = self.chains[-1]
         done.origin = chain[0].origin
         if self._part == 1 and chain[-1].name.endswith("ExceptionGroup"):
@@ -198,18 +198,18 @@ def chains_in(log: str) -> list[list[Raised]]:
 def first_cause(chain: list[Raised], program: str) -> Raised:
     """Return the exception in a chain that caused the later ones.
 
-    An exception without a frame in the program was caught inside a library, so it doesn't count. An exception that
-    programs catch on purpose doesn't count, either.
+    An exception without a frame in the program was caught inside a library, so it isn't the cause. Nor is an exception
+    that programs catch on purpose.
     """
     own = [one for one in chain if one.line_in(program) is not None] or chain[-1:]
     return next((one for one in own if not _CAUGHT_ON_PURPOSE.search(one.name)), own[-1])
 
 
 def main_one(chains: list[list[Raised]], program: str) -> Raised | None:
-    """Return the exception to blame: the main program's last one, or else the one in the lowest line of a thread.
+    """Return the exception to blame: the main program's last one, or else the one with the lowest line number.
 
-    The order in which threads print is a matter of chance, so it doesn't count. The result is None if there are no
-    exceptions.
+    For threads, the line number decides, because the order in which they print is a matter of chance. The result is
+    None if there are no exceptions.
     """
     causes = [first_cause(chain, program) for chain in chains]
     of_main = [one for one in causes if one.origin == MAIN]

@@ -23,7 +23,7 @@ _ACCEPTED = WORDS.seen("mypy-objects.accepted", ("text", "name"))
 
 @dataclass(frozen=True)
 class _Objection:
-    """A mypy finding in a correct line of a probe. `text` is the line, and `name` is the probe's name."""
+    """A mypy finding in a correct line of a probe. `text`: the line. `name`: the probe's name."""
 
     finding: Finding
     text: str
@@ -41,13 +41,13 @@ _OBJECTIONS = WORDS.rules(
 
 @dataclass(frozen=True)
 class Probe:
-    """Code that uses an answer. It never runs; only the type checker reads it. `name` describes what the code does."""
+    """Code that uses an answer, for the type checker only: it never runs. `name`: a description of the code."""
 
     name: str
     code: str
 
     def lines(self) -> Iterator[tuple[int, str, bool]]:
-        """Yield each line's number, its text, and whether it's marked. The type checker must object to marked lines."""
+        """Yield each line's number, source, and whether it's marked. The type checker must object to marked lines."""
         for number, line in enumerate(self.code.splitlines(), start=1):
             text, mark, _ = line.partition(MARK)
             yield number, text.strip(), bool(mark)
@@ -90,7 +90,7 @@ def findings(recording: Recording, one: Probe | None = None) -> list[Finding]:
 
 
 def mypy_clean(recording: Recording) -> Verdict:
-    """Check that the type checker finds nothing in the answer, and that the answer hides nothing from the checker."""
+    """Check that the type checker has no findings in the answer, and that the answer doesn't hide code from it."""
     found = findings(recording)
     if not found:
         return passed("mypy --strict finds nothing")
@@ -101,7 +101,7 @@ def mypy_clean(recording: Recording) -> Verdict:
 
 
 def _hidden(found: list[Finding]) -> Verdict | None:
-    """Return a failed verdict if something keeps mypy from checking or reporting, otherwise None."""
+    """Return a failed verdict if the answer keeps mypy from checking or reporting, or None otherwise."""
     for finding in found:
         if finding.code == SILENCED:
             hidden = [one for one in found if one.line == finding.line and one is not finding]
@@ -113,7 +113,7 @@ def _hidden(found: list[Finding]) -> Verdict | None:
 
 
 def mypy_accepts(recording: Recording, one: Probe) -> Verdict:
-    """Check that the type checker finds no error in the unmarked lines of a probe."""
+    """Check that the type checker doesn't find an error in the unmarked lines of a probe."""
     expected = f"no objection from mypy to {one.name}"
     unfinished = _unfinished(recording, expected)
     if unfinished is not None:
@@ -131,7 +131,7 @@ def mypy_accepts(recording: Recording, one: Probe) -> Verdict:
 def mypy_objects(recording: Recording, one: Probe, why_not: Reason) -> Verdict:
     """Check that the type checker finds an error in every marked line of a probe, and in no other line.
 
-    `why_not`: the reason to give if the checker accepts a marked line. Declare it with `WORDS.reason(...)`.
+    `why_not`: the reason to give the student if the checker accepts a marked line. Declare it with `WORDS.reason(...)`.
     """
     accepted = mypy_accepts(recording, one)
     if not accepted.ok:

@@ -58,14 +58,17 @@ def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> 
 
 
 def elements(value: Any) -> list[Any]:
-    """Return an array's elements, or a single value as a list. A very long array has only its first elements here."""
+    """Return an array's elements, or a single value as a list.
+
+    Of a very long array, the recording keeps only the first elements.
+    """
     if isinstance(value, dict) and "first" in value:
         return list(value["first"])
     return value if isinstance(value, list) else [value]
 
 
 def length_of(value: Any) -> int:
-    """Return the length of an array, even if the array was too long to be kept as a whole."""
+    """Return the length of an array, even if the recording keeps only its first elements."""
     if isinstance(value, dict) and "length" in value:
         return int(value["length"])
     return len(elements(value))
@@ -75,7 +78,7 @@ def length_of(value: Any) -> int:
 class Offender:
     """The first value that breaks a rule. `message`: the number of its message, from 1.
 
-    `place`: its index in the array; None for a scalar. `affected`: how many messages contain such a value.
+    `place`: the value's index in the array, or None for a scalar. `affected`: the number of messages with such a value.
     """
 
     message: int
@@ -89,7 +92,7 @@ class Offender:
 
 
 def first_offender(recording: Recording, topic: Topic, breaks: Callable[[Any], bool]) -> Offender | None:
-    """Return the first value or array element for which `breaks` returns True; None if there is none."""
+    """Return the first value or array element for which `breaks` returns True, or None if there is none."""
     first: tuple[int, int | None, Any] | None = None
     affected = 0
     for number, value in enumerate(values(recording, topic), start=1):
