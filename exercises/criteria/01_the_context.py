@@ -1,25 +1,25 @@
-"""Judge exercise 01 by the program's behavior until Ctrl-C, its log after that, and everything it leaves behind."""
+"""Judge exercise 01 by the program's behavior until Ctrl-C, its log after Ctrl-C, and the nodes it leaves behind."""
 
 from dataclasses import dataclass
 
 import workbook.criteria as see
 from workbook.criteria import Recording, Verdict, criterion, watching
 
-WATCH_S = 4.0  # the task names it
+WATCH_S = 4.0  # the task states it
 WATCH = watching(wall_seconds=WATCH_S, to_the_end=True)
 WORDS = see.Words(__file__)
 
 NODE = "/night_guard"
-PARKED = "arms parked"  # compared in lower case: the program may log it as it likes
-LEAST_ROUNDS = 4  # of the eight that are due; the task names it
-RAISED_BY_SPIN = ("ExternalShutdownException", "RCLError", "InvalidHandle")  # when the context is gone
-LONGEST_QUOTE = 60  # characters of a line of the log that feedback quotes
-LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task names it
+PARKED = "arms parked"  # compared in lowercase, because the program may log it in any case
+LEAST_ROUNDS = 4  # of the eight rounds that are due; the task states it
+RAISED_BY_SPIN = ("ExternalShutdownException", "RCLError", "InvalidHandle")  # when the context has been shut down
+LONGEST_QUOTE = 60  # characters of a log line that feedback quotes
+LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task states it
 
 
 @dataclass(frozen=True)
 class Night:
-    """The program's log before and after Ctrl-C, and how the program ended."""
+    """The program's log before and after Ctrl-C, and the program's exit."""
 
     recording: Recording
 
@@ -41,7 +41,7 @@ class Night:
 
     @property
     def silent(self) -> float:
-        """How long (s) before Ctrl-C the last line was logged."""
+        """The time (s) from the last log line to Ctrl-C."""
         printed_at = self.recording.process.printed_at
         return 0.0 if printed_at is None else self.recording.wall_s - printed_at
 
@@ -57,7 +57,7 @@ class Night:
 
     @property
     def about_parking(self) -> str | None:
-        """A line after Ctrl-C that mentions parking in other words; None if there is none."""
+        """A line after Ctrl-C that mentions parking in other words, or None if there is none."""
         lines = self.recording.process.end_log.splitlines()
         return next((line.strip()[:LONGEST_QUOTE] for line in lines if "park" in line.lower()), None)
 

@@ -1,4 +1,4 @@
-"""Judge exercise 02 by the graph: the nodes, their names, and the topics that each node publishes."""
+"""Judge exercise 02 by the graph: the nodes, their names, and the topics on which each node publishes."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,17 +14,17 @@ WORDS = see.Words(__file__)
 FRONT, REAR = "/robot/camera", "/robot/rear_camera"
 FRONT_FRAME = topic(f"{FRONT}/frame", String, hz=2.0)
 REAR_FRAME = topic(f"{REAR}/frame", String, hz=2.0)
-FAULTS = topic("/robot/faults", String)  # of two nodes, so it is no topic with a pace of its own
+FAULTS = topic("/robot/faults", String)  # two nodes publish on it, so it has no rate of its own
 REPORTS_HZ = 1.0  # of each camera
-TWICE = 1.6  # of a rate: nearer to two times than to one
-SLOW_HZ = 1.6  # 20 % below the rate of the images; the task names it
+TWICE = 1.6  # times the required rate: nearer to twice the rate than to the rate itself
+SLOW_HZ = 1.6  # 20 % below the images' rate; the task states it
 AS_DELIVERED = "Restore the original driver, and remap only __node."
 LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 
 @dataclass(frozen=True)
 class Graph:
-    """The nodes on the graph."""
+    """The nodes in the graph."""
 
     recording: Recording
 
@@ -54,7 +54,7 @@ class Camera:
 
     @property
     def publishing(self) -> list[str]:
-        """The nodes that publish this camera's images."""
+        """The names of the nodes that publish this camera's images."""
         return publishing_nodes(self.recording, self.frames)
 
     @property
@@ -63,7 +63,7 @@ class Camera:
 
     @property
     def left_at(self) -> float:
-        """When the camera left the graph (s)."""
+        """The time (s) at which the camera left the graph."""
         return max(one.last_seen or 0.0 for one in self.recording.topic(self.topic).publishers)
 
     @property
@@ -100,7 +100,7 @@ class Camera:
 
     @property
     def nameless(self) -> list[str]:
-        """The reports that don't begin with a camera's name, cut short."""
+        """The reports that don't begin with a camera's name, truncated."""
         texts = map(str, see.values(self.recording, FAULTS))
         return [text[:LONGEST_QUOTE] for text in texts if not text.startswith(("camera:", "rear_camera:"))]
 
@@ -135,7 +135,7 @@ class FaultsTopic:
 
 
 def publishing_nodes(recording: Recording, one: Topic) -> list[str]:
-    """Return the sorted, fully qualified names of a topic's publishing nodes; ["no node"] if there are none."""
+    """Return the sorted, fully qualified names of a topic's publishing nodes, or ["no node"] if there are none."""
     return sorted({publisher.node for publisher in recording.topic(one.name).publishers}) or ["no node"]
 
 
@@ -229,7 +229,7 @@ def alive_at_end(recording: Recording) -> Verdict:
 
 
 def images_of(camera: Camera) -> Verdict:
-    """Check that a camera's images come at the required rate and from that camera's node."""
+    """Check that a camera's images come at the required rate, and from that camera's node."""
     recording, frames = camera.recording, camera.frames
     there = see.publishes(recording, frames)
     if not there.ok:

@@ -16,7 +16,7 @@ from workbook.criteria import DriverCall, Recording, Verdict, criterion, program
 WORDS = see.Words(__file__)
 BATTERY = topic("/robot/battery", Float32)
 REPORT = topic("/driver/report", String, signed=True)
-TOLERANCE = 1e-5  # rounding error of a 32-bit charge; the task states it
+TOLERANCE = 1e-5  # the rounding error of a 32-bit charge; the task states it
 
 COUNT = 40  # calls
 BOOLS = ("True", "False")
@@ -36,23 +36,23 @@ KINDS = {
 
 
 def kind_of(argument: str | None) -> str:
-    """Return the kind of an argument; empty if there is no argument."""
+    """Return the kind of an argument, or "" if there is no argument."""
     return next((kind for kind, form in KINDS.items() if re.fullmatch(form, argument or "")), "")
 
 
 def number_in(argument: str | None) -> float | None:
-    """Return the number that must arrive for an argument; None if it must be refused."""
+    """Return the number that must arrive for an argument, or None if the answer must refuse the argument."""
     is_number = kind_of(argument) in NUMBERS
     return float(re.sub(r"np\.\w+\(|\)", "", argument or "")) if is_number else None
 
 
 def odd(rng: Random, low: int, high: int) -> int:
-    """Draw a two-digit number that doesn't end in 0. The whole numbers in string arguments do end in 0."""
+    """Draw a two-digit number that doesn't end in 0, unlike the whole numbers in string arguments."""
     return 10 * rng.randint(low, high) + rng.randint(1, 9)
 
 
 def drawn_arguments(rng: Random) -> list[str]:
-    """Draw the arguments of all calls: six numbers, then the others in random order, with a few fixed sequences."""
+    """Draw the arguments of all calls: six numbers, then the rest in random order, with a few fixed sequences."""
     first, whole, small = f"{odd(rng, 5, 9)}.25", str(odd(rng, 1, 9)), str(rng.randint(2, 9))
     second = f"{odd(rng, 5, 9)}.{rng.choice('34679')}"
     begin = [first, second, second, f"0.{odd(rng, 1, 9)}", whole, f"np.float32({odd(rng, 1, 4)}.5)"]
@@ -67,10 +67,12 @@ def drawn_arguments(rng: Random) -> list[str]:
         whole, "0", "1", f"np.float64({odd(rng, 1, 9)}.25)", f"np.float16({rng.randint(33, 63)}.5)",
         f"np.int32({odd(rng, 1, 9)})", f"np.int8({odd(rng, 7, 9)})", "np.float32(0.0)",
     ]  # fmt: skip
-    # A bool, an empty battery twice, and a text: if a zero affects later calls, a call to refuse comes right after it.
+    # A bool, an empty battery twice, and a string: if a zero affects later calls, a call to refuse comes right after
+    # the zero.
     units = [[bools[0], "0.0", "0.0", texts[0]], [f"np.int64({small})", small], *([one] for one in single)]
     rng.shuffle(units)
-    # Values that aren't finite come after numbers, because a method that stores wrong types may or may not store them.
+    # Values that aren't finite come after numbers, because a method that stores wrong types may or may not store such
+    # values.
     not_finite = ["np.float32(nan)", "np.float64(-inf)", "np.float32(-inf)", "nan", "inf"]
     rng.shuffle(not_finite)
     first_minus = min(not_finite.index(f"np.{kind}(-inf)") for kind in ("float32", "float64"))
@@ -85,7 +87,7 @@ def fits(arguments: Sequence[str]) -> bool:
     """Return whether each mistake is recognizable in this sequence of calls.
 
     A method that publishes the last number again, instead of raising an error, must not look like another mistake. If a
-    refused call affects later ones, the effect must show in a float and in a number of another type.
+    refused call affects later calls, the effect must show in a float and in a number of another type.
     """
     kinds, sent = [*map(kind_of, arguments)], 0.0
     for n, (argument, kind) in enumerate(zip(arguments, kinds, strict=True)):
@@ -116,7 +118,7 @@ def drawn(rng: Random) -> list[see.Part]:
     return [see.publish("/driver/calls", String, [(0.0, "\n".join(arguments))], "latched")]
 
 
-AT_ONCE = 4  # the driver makes this call right after the one before, and all others 0.06 s after it
+AT_ONCE = 4  # the driver makes this call right after the previous one; usually, it pauses for 0.06 s
 NEVER_AWAITED = "publish_level' was never awaited"  # Python's warning in the log
 MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 
@@ -131,14 +133,14 @@ def as_float(value: float) -> str:
 class Call(DriverCall):
     """One of the driver's calls, as reported by the driver."""
 
-    due: Collection[float] = ()  # the numbers that must arrive, those of all calls
+    due: Collection[float] = ()  # the numbers that must arrive for all calls
 
     def __init__(self, reported: DriverCall) -> None:
         super().__init__(**vars(reported))
         self.kind = kind_of(self.argument)
         self.is_number = self.kind in NUMBERS
-        self.meant = number_in(self.argument) or 0.0  # the number that it must send
-        # A published False is judged with the bools, and a rounded 0.1 with the floats.
+        self.meant = number_in(self.argument) or 0.0  # the number that the call must publish
+        # The criterion for bools judges a published False, and the one for floats judges a rounded 0.1.
         may_be_zero = self.argument == "False" or (self.is_number and self.meant < 1.0)
         self.is_other_than_zero = self.complete and not may_be_zero
 
@@ -152,13 +154,13 @@ class Call(DriverCall):
     def strange(self) -> list[float]:
         """The values published after the call that equal none of the numbers to publish.
 
-        Repeated numbers aren't included, because they already cost the points for numbers.
+        Repeated numbers are left out, because they already cost the points for numbers.
         """
         return [one for one in self.later if all(abs(one - number) > TOLERANCE for number in self.due)]
 
     @property
     def refused(self) -> bool:
-        """Whether the call raised an error and published nothing."""
+        """Whether the call raised an error and didn't publish a value."""
         return self.how == "raised" and not self.sent and not self.strange
 
     def sends_number_of(self, before: "Call") -> bool:
@@ -172,7 +174,7 @@ class Calls:
     def __init__(self, recording: Recording) -> None:
         self.recording = recording
         self.reports = see.driver_reports(recording, REPORT)
-        self.trouble = self.reported("not made: ")  # why no call could be made, if that is so
+        self.trouble = self.reported("not made: ")  # why the driver couldn't make any call, if it couldn't
         # the first element stands for the time before any call
         self.all = [Call(one) for one in see.driver_calls(recording, REPORT, BATTERY)]
         self.judged = [call for call in self.all if call.number and call.complete]
@@ -184,7 +186,7 @@ class Calls:
         self.made = {one.number: one.argument for one in self.all if one.argument is not None and one.number}
         self.not_requested = [text for n, text in self.made.items() if self.requested[n - 1 : n] != [text]]
         self.too_few = "done" in self.reports and 0 < max(self.made, default=0) < len(self.requested)
-        # the argument of the last call that began; empty if no call began, or if its report was lost
+        # the argument of the last call that began, or [] if no call began or its report was lost
         self.latest = [one.argument for one in self.all[-1:] if one.number and one.argument is not None]
 
     def reported(self, begin: str) -> list[str]:
@@ -193,7 +195,7 @@ class Calls:
 
     @property
     def at_the_start(self) -> list[float]:
-        """The values published when the node was created. Only the driver, in the same process, could see them."""
+        """The values published when the node was created. Only the driver, in the same process, could observe them."""
         return [float(level) for level in self.reported("sent before any call: ")]
 
     @property
@@ -218,17 +220,17 @@ calls = see.once(Calls)
 
 
 class Case:
-    """A call that went wrong, next to all judged calls."""
+    """A call that went wrong, along with all judged calls."""
 
     def __init__(self, call: Call, judged: Sequence[Call]) -> None:
         self.call, self.kind, self.tolerance = call, call.kind, TOLERANCE
         self.argument = text = call.argument or ""
         types = {"'": "a string", "[": "a list", "(": "a tuple"}
         name = "a bool" if text in BOOLS else "an int" if text.isdecimal() else types.get(text[:1])
-        self.type = f", {name}," if name else ""  # where it isn't obvious, between commas
+        self.type = f", {name}," if name else ""  # between commas, if the type isn't obvious
         self.raised, self.wanted = call.how == "raised", as_float(call.meant)
         self.published = [as_float(one) for one in call.sent] or ["nothing"]
-        self.followed = [as_float(one) for one in call.later[:1]]  # after it had returned
+        self.followed = [as_float(one) for one in call.later[:1]]  # after the call had returned
         self.first_strange = [as_float(one) for one in call.strange[:1]]
         self.sent = float(call.sent[0]) if call.sent else math.nan
         self.numbers = [one for one in judged if one.is_number]
@@ -240,15 +242,15 @@ class Case:
         self.zero_raised = any(one.how == "raised" for one in judged if one.argument == "0.0")
         self.refused_for = {one.argument for one in judged if one.refused}
 
-        # whether this number arrived before, or all numbers arrived until some call after a refusal, and none since
-        # then
+        # whether the same number arrived before, or all numbers arrived until some call after a refusal, and no number
+        # since then
         same_arrived = any(one.argument == call.argument and one.arrived for one in self.before)
         first_refused = min((one.number for one in judged if one.refused and not one.is_number), default=0)
         first_lost = next((one.number for one in self.numbers if not one.arrived), 0)
         only_until = all(one.arrived == (one.number < first_lost) for one in self.numbers)
         self.worked_before = same_arrived or (1 < first_refused < first_lost and only_until)
 
-        # whether only those numbers are missing that follow a refused call, or a refused call of one kind
+        # whether the missing numbers are those that follow a refused call, or a refused call of one kind
         pairs = [(last, one) for last, one in pairwise(judged) if one.is_number]
         lost = {one.number for _, one in pairs if not one.arrived}
         errors = [(last.kind, one.number) for last, one in pairs if last.how == "raised"]
@@ -355,7 +357,7 @@ def calls_come_back(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/robot/battery carries Float32", needs=[calls_come_back])
 def battery_topic(recording: Recording) -> Verdict:
-    # The log contains the calls' errors. Those are judged one by one, and don't explain a missing topic.
+    # The log contains the calls' errors. These errors are judged one by one and don't explain a missing topic.
     silent = replace(recording, process=replace(recording.process, log=""))
     return see.publishes(silent, BATTERY)
 

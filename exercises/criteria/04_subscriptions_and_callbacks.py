@@ -1,7 +1,6 @@
-"""Judge exercise 04: send good and bad readings to the monitor, and compare its messages with them.
+"""Judge exercise 04: send good and bad readings to the monitor, and compare the monitor's messages with the readings.
 
-The readings are drawn for each run. They share certain properties in every draw, which let us tell the causes below
-apart.
+The readings are drawn for each run. Every draw has certain properties that let us tell the causes below apart.
 """
 
 import math
@@ -23,16 +22,16 @@ WORDS = see.Words(__file__)
 BATTERY, OTHER_BATTERY = "/robot/battery", "/other_robot/battery"
 FORWARDED, ALARM = topic("/monitor/battery", Float32), topic("/monitor/alarm", String)
 
-AT_ONCE_S = 0.5  # the task names it
-SHARE_AT_ONCE = 0.9  # of the readings: the others may have been kept waiting by a busy machine
+AT_ONCE_S = 0.5  # the task states it
+SHARE_AT_ONCE = 0.9  # of the readings, because a busy machine may delay the others
 
-EXAMPLE = -3.0  # the task names it
-BIT = 2.0**-13  # near 100, the smallest difference that 32 bits hold is a sixteenth of it
+EXAMPLE = -3.0  # the task states it
+BIT = 2.0**-13  # 16 times the smallest difference between two 32-bit floats near 100
 LIMITS, LOW_AT_MOST, NEAR_LIMIT, JUMP = {0.0, 100.0}, 20.0, 0.5, 10.0
 APART_S, MOMENT_S, SAME_MOMENT_S, PAUSE_S, OTHERS_AFTER_S = 0.1, 0.05, 0.01, 1.0, 0.55
 EARLIEST_S, LATEST_S, LONGER_GAPS = 0.3, 0.7, 6
 
-# Numbers of certain good readings, from 1. A battery drains, is replaced by a full one, runs out, and is replaced.
+# The numbers (from 1) of certain good readings. A battery drains, is replaced by a full one, runs out, and is replaced.
 FULL_ONE, FIRST_LOW, EMPTY_ONE, FIRST_AGAIN, LAST_GOOD = 9, 19, 22, 23, 42
 AT_ONE_MOMENT, BAD_ONES = 4, 12
 
@@ -42,13 +41,13 @@ def is_good(reading: float) -> bool:
 
 
 def draining(rng: Random, first: float, count: int, most: float) -> list[float]:
-    """Draw `count` falling readings in multiples of 0.25, beginning with `first`. Each falls by at most `most`."""
+    """Draw `count` falling readings, beginning with `first`. The steps are multiples of 0.25 and at most `most`."""
     steps = [rng.randint(1, round(4 * most)) / 4 for _ in range(count - 1)]
     return [*accumulate(steps, sub, initial=first)]
 
 
 def drawn_good_ones(rng: Random, equals: Sequence[int]) -> list[float]:
-    """Draw all good readings. Only those with the numbers `equals` (from 1) equal another one: the next."""
+    """Draw all good readings. The readings with the numbers `equals` (from 1) equal the next one; all others differ."""
     lows = [rng.randint(40, 79) / 4, rng.randint(8, 36) / 4, rng.randint(3, 7) / 8, 0.0]
     good = [
         *draining(rng, rng.randint(176, 216) / 4, FULL_ONE - 1, 1.0),
@@ -62,9 +61,9 @@ def drawn_good_ones(rng: Random, equals: Sequence[int]) -> list[float]:
 
 
 def drawn_bad_ones(rng: Random) -> list[list[float]]:
-    """Draw the bad readings in rows, each sent without a good reading in between.
+    """Draw the bad readings in rows. No good reading comes between the readings in a row.
 
-    Only a reading that begins a row is sent twice, so an alarm about any other fits just one reading.
+    Only a reading that begins a row is sent twice, so an alarm about any other reading fits just that one.
     """
     above, not_finite = rng.randint(420, 780) / 4, [math.inf, math.nan]
     rng.shuffle(not_finite)
@@ -77,10 +76,10 @@ def drawn_bad_ones(rng: Random) -> list[list[float]]:
 def fits(rows: Sequence[Sequence[float]], slots: Sequence[int]) -> bool:
     """Return whether the `rows` of bad readings can be sent after the good readings with the numbers `slots`.
 
-    Among the values that aren't finite, NaN comes first, but after another alarm: a monitor that can't handle NaN ends
-    there. At least two good readings lie between rows, to show which bad reading a strange value replaced. At least one
-    other row lies between a reading at a limit and the one just beyond that limit, because a rounded alarm could mean
-    either.
+    Among the values that aren't finite, NaN comes first, but after another alarm, because a monitor that can't handle
+    NaN crashes there. At least two good readings lie between rows, to show which bad reading a strange value replaced.
+    At least one other row lies between a reading at a limit and the one just beyond that limit, because a rounded alarm
+    could mean either reading.
     """
     not_finite = [row[0] for row in rows if not all(map(math.isfinite, row))]
     near = [(FULL_ONE, 100.0 + BIT), (EMPTY_ONE, -BIT)]
@@ -93,12 +92,13 @@ def fits(rows: Sequence[Sequence[float]], slots: Sequence[int]) -> bool:
 
 
 def drawn_readings(rng: Random) -> list[tuple[float, float]]:
-    """Draw all readings. Return pairs of the moment (s of simulated time) to send a reading, and the reading."""
+    """Draw all readings. Return pairs of the time (simulated time, s) at which to send a reading, and the reading."""
     pause, at_one_moment = rng.randint(3, 6), rng.randint(FIRST_AGAIN + 3, LAST_GOOD - 8)
     moment = range(at_one_moment, at_one_moment + AT_ONE_MOMENT)
     later = [n for n in range(FIRST_AGAIN + 1, LAST_GOOD - 2) if not {n, n + 1} & {*moment}]
     equals = [rng.randint(2, 6), rng.choice(later)]
-    # No bad reading follows these: before a limit, it may be clamped to that limit; next to equal readings, repeated.
+    # No bad reading follows these good readings: before a limit, a monitor may clamp it to that limit, and next to
+    # equal readings, replace it by a repetition.
     taken = {pause, FULL_ONE - 1, EMPTY_ONE - 1, moment[0] - 1, *moment, *equals, *(n - 1 for n in equals)}
     free = [n for n in range(3, LAST_GOOD) if n not in taken]
     while True:
@@ -151,14 +151,14 @@ class Readings:
     """
 
     def __init__(self, readings: Sequence[float], sent_at: Sequence[float], others: Sequence[float]) -> None:
-        self.readings, self.sent_at, self.others = readings, sent_at, others  # others: of the other robot
+        self.readings, self.sent_at, self.others = readings, sent_at, others  # others: the other robot's readings
         self.good_places = [n for n, one in enumerate(readings) if is_good(one)]
         self.bad_places = [n for n, one in enumerate(readings) if not is_good(one)]
         self.good = good = [readings[n] for n in self.good_places]
         self.bad = bad = [readings[n] for n in self.bad_places]
         self.below, self.above = {one for one in bad if one < 0.0}, {one for one in bad if one > 100.0}
         self.near_limits = {one for one in bad if -NEAR_LIMIT < one < 100.0 + NEAR_LIMIT}
-        self.changes = [math.nan, *(one - last for last, one in pairwise(good))]  # from the one before
+        self.changes = [math.nan, *(one - last for last, one in pairwise(good))]  # from the previous reading
         self.equal = {n for n, change in enumerate(self.changes) if change == 0.0}
         self.jumps = {n for n, change in enumerate(self.changes) if abs(change) > JUMP}
         self.risen = {n for n, one in enumerate(good) if n and one > min(good[:n])}
@@ -169,7 +169,7 @@ class Readings:
         self.bad_in_a_row = {n for n, place in enumerate(self.bad_places) if place - 1 in self.bad_places}
 
     def bad_before(self, place: int, arrived: Sequence[float]) -> int:
-        """Count the bad readings right before the good one at `place`.
+        """Count the bad readings right before the good reading at `place`.
 
         If all values in `arrived` equal that good reading, use the next good reading that differs from them.
         """
@@ -184,7 +184,7 @@ def kinds_of(bad: Sequence[float]) -> set[str]:
 
 
 class Answers:
-    """The monitor's messages on one topic, and the script: readings sent, or still due when the monitor ended."""
+    """The monitor's messages on one topic, and the script: readings sent, or still due when the monitor exited."""
 
     def __init__(self, recording: Recording, answer: Topic) -> None:
         self.recording, self.at_once_s = recording, AT_ONCE_S
@@ -201,11 +201,11 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d{1,99}(?:[.,]\d+)?(?:[eE][-+]?\d\d?)?")  
 IN_GROUPS = re.compile(r"(?<![\w.,])[-+]?\d{1,3}(?:,\d{3})+(?:\.\d+)?(?![\d,])")
 NO_NUMBER = re.compile(r"\bnan\b|not a number", re.IGNORECASE)
 INFINITE = re.compile(r"(-|\bminus |\bnegative |)\binf(?:inity|inite)?\b", re.IGNORECASE)
-AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
+AS_ROUNDED = 0.05 + 1e-6  # an alarm may state its value with one decimal
 
 
 class Alarm:
-    """A text on /monitor/alarm, and the last reading that was sent before it was published."""
+    """A message on /monitor/alarm, and the last reading sent before that message was published."""
 
     def __init__(self, arrival: see.Arrival, words: Sequence[see.Published], sent: Readings) -> None:
         self.text, self.wall = str(arrival.value.get("data")), arrival.published  # s of wall time
@@ -217,14 +217,14 @@ class Alarm:
         ]
         self.names_bad = self.names(*sent.bad)
         ours = ((word.wall, float(word.value["data"])) for word in words if word.topic == BATTERY)
-        self.after = see.latest_before(ours, self.wall) or 0.0  # a reading of the own robot
+        self.after = see.latest_before(ours, self.wall) or 0.0  # a reading of our robot
         last = see.latest_before(((word.wall, word.topic) for word in words), self.wall)
         names_other, names_good = ({*self.numbers} & one for one in ({*sent.others}, {*sent.good} - LIMITS))
         self.is_about_other = names_other or (last == OTHER_BATTERY and not self.names_bad)
         self.is_about_good = is_good(self.after) or (names_good and not self.names_bad)
 
     def names(self, *readings: float) -> bool:
-        """Return whether the text contains one of these readings, exactly or rounded."""
+        """Return whether the alarm contains one of these readings, exactly or rounded."""
         if any(map(math.isnan, readings)) and any(map(math.isnan, self.numbers)):
             return True
         pairs = product(readings, self.numbers)
@@ -232,7 +232,7 @@ class Alarm:
 
 
 class Alarms(Answers):
-    """The messages on /monitor/alarm, sorted by the readings that they are about. Places count the bad readings."""
+    """The messages on /monitor/alarm, matched with the readings that they're about. Places count the bad readings."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording, ALARM)
@@ -242,12 +242,13 @@ class Alarms(Answers):
         self.others = [alarm for alarm in self.all if alarm.is_about_other]
         own = [alarm for alarm in self.all if not alarm.is_about_other]
 
-        # match as many bad readings as possible, in order, with an alarm of our robot that names it: the places of both
-        best = defaultdict[tuple[int, int], dict[int, int]](dict)  # the pairs from there on
+        # match as many bad readings as possible, in order, with an alarm about our robot that names the reading: pairs
+        # of places
+        best = defaultdict[tuple[int, int], dict[int, int]](dict)  # the pairs from these places on
         for i, j in product(reversed(range(len(bad))), reversed(range(len(own)))):
             both = [{i: j, **best[i + 1, j + 1]}] if own[j].names(bad[i]) else []
             best[i, j] = max(*both, best[i, j + 1], best[i + 1, j], key=len)
-        # a text that is the same for different readings names none of them
+        # an alarm whose words are the same for different readings doesn't name any of them
         named = Counter(text for text, _ in {(own[j].text, repr(bad[i])) for i, j in best[0, 0].items()})
         self.pairs = {i: j for i, j in best[0, 0].items() if named[own[j].text] == 1}
         self.missed = [place for place in range(len(bad)) if place not in self.pairs]
@@ -255,13 +256,13 @@ class Alarms(Answers):
         paired = {*self.pairs.values()}
         unpaired = [alarm for n, alarm in enumerate(own) if n not in paired]
 
-        # if there's one alarm per bad reading: the readings that their alarms don't name, with these alarms
+        # if there's one alarm per bad reading: the readings whose alarms don't name them, with these alarms
         after_bad = [alarm for alarm in unpaired if not is_good(alarm.after)]
         one_each = len(own) == len(bad) and 2 * len(after_bad) > len(unpaired)
         places = range(len(bad) if one_each else 0)
         misnamed = [(bad[place], own[place]) for place in places if self.pairs.get(place) != place]
-        # An alarm may name its reading by chance, so alarms that don't are better clues. So are those of finite
-        # readings.
+        # An alarm may name its reading by chance, so alarms that don't name theirs are better clues. So are alarms
+        # about finite readings.
         finite = [(reading, alarm) for reading, alarm in misnamed if math.isfinite(reading)]
         unnamed = [(reading, alarm) for reading, alarm in finite if not alarm.names(reading)]
         self.clues = (unnamed if 2 * len(unnamed) >= len(finite) else finite) or misnamed
@@ -270,7 +271,7 @@ class Alarms(Answers):
             for reading, alarm in self.clues
         )
 
-        # alarms about good readings, unless they repeat a due alarm; all other alarms are repetitions
+        # alarms about good readings, unless they repeat a due alarm; all other unpaired alarms are repetitions
         due = {own[n].text for n in paired}
         about_good = [alarm for alarm in unpaired if alarm.is_about_good]
         false = {a: None for a in about_good if not (a.names_bad and a.text in due) or a.names(a.after)}
@@ -306,8 +307,8 @@ class Forwarded(Answers):
         self.good, self.bad = [*filter(is_good, own)], [level for level in own if not is_good(level)]
         self.different_bad = list(dict.fromkeys(f"{level:.7g}" for level in self.bad))
 
-        # the edits that turn the good readings into those that arrived: missing places, and the values that arrived
-        # there
+        # the edits that turn the good readings into the readings that arrived: missing places, and the values that
+        # arrived instead
         codes = SequenceMatcher(None, sent, self.good, autojunk=False).get_opcodes()
         edits = [(range(i, end), self.good[j:to]) for kind, i, end, j, to in codes if kind != "equal"]
         # in place of bad readings, the monitor may publish as many other values as there are bad readings
@@ -320,17 +321,17 @@ class Forwarded(Answers):
         self.came_count = len(sent) - len(self.lost)
         false = alarms(recording).false
         self.lost_with_alarm = [one for one in self.lost_levels if any(alarm.names(one) for alarm in false)]
-        self.rest = [*range(min(self.lost, default=0), len(sent))]  # from the first lost one on
+        self.rest = [*range(min(self.lost, default=0), len(sent))]  # from the first lost reading on
         self.stops = self.lost == self.rest
 
         self.sent_at = [one.t for one in see.published(recording, BATTERY) if is_good(one.value["data"])]
         self.arrived_at = [t for t, level in came if level in sent and level not in self.sent.others]
         delays = [arrived - t for t, arrived in zip(self.sent_at, self.arrived_at, strict=False)]
         self.long_delays = sorted((delay for delay in delays if delay > AT_ONCE_S), reverse=True)
-        count = min(self.lost, default=len(self.sent_at))  # the others are missing
+        count = min(self.lost, default=len(self.sent_at))  # the later readings are missing
         self.are_late = len(self.long_delays) > (1.0 - SHARE_AT_ONCE) * count
         apart = [after - before > APART_S / 2 for before, after in pairwise(self.arrived_at)]
-        self.in_groups = 3 * sum(apart) < len(self.arrived_at)  # most came at the same moment as another one
+        self.in_groups = 3 * sum(apart) < len(self.arrived_at)  # most readings arrived at the same time as another one
 
         relay = see.Relay(sent, self.good)
         self.never_sent, self.repeated, self.misplaced = relay.strange, relay.repeated, relay.misplaced
@@ -339,7 +340,7 @@ class Forwarded(Answers):
         ]
 
     def lacks(self, places: set[int]) -> bool:
-        """Return whether the missing readings are those at these places, or equal ones."""
+        """Return whether the missing readings are those at these places, or equal readings."""
         good = list(enumerate(self.sent.good))
         return [one for n, one in good if n not in self.lost] == [one for n, one in good if n not in places]
 

@@ -1,11 +1,11 @@
-"""Judge exercise 05 by a minute of simulated time: how many messages each topic had, and how evenly they came."""
+"""Judge exercise 05 by a minute of simulated time: the number of messages on each topic, and their regularity."""
 
 from std_msgs.msg import Float32, String
 
 import workbook.criteria as see
 from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
-# A minute, because the task promises one.
+# The task says that the judge watches for a minute.
 WATCH = watching(simulated_seconds=60, steps_per_period=5)
 
 HEARTBEAT = topic("/robot/heartbeat", String, hz=1.0)
@@ -59,7 +59,7 @@ def in_rhythm(recording: Recording, one: Topic) -> Verdict:
 def carries_floats(recording: Recording, one: Topic) -> Verdict:
     """Check that the topic exists and that its values were floats.
 
-    Whether it has messages is judged with the rhythm.
+    `in_rhythm` judges whether the topic has messages.
     """
     published = see.publishes(recording, one)
     if not published.ok or not see.values(recording, one):

@@ -1,6 +1,6 @@
 """Judge exercise 06: a driver calls `pump` eight times, and the nodes publish everything that they do.
 
-Each run draws the words and jobs that the robots get, and the moment of a burst of words.
+Each run draws the words and jobs that the robots receive, and the time of a burst of words.
 """
 
 import math
@@ -24,37 +24,39 @@ QUIET_HEARD = topic("/quiet/heard", Int32MultiArray, signed=True)
 JOB_DONE = topic("/robot/job_done", Int32MultiArray, signed=True)
 PUMP = topic("/driver/pump", String, signed=True)
 CHANGED = topic("/driver/changed", String, signed=True)
-Report = tuple[float, int, int]  # when (s of wall time), in which call, and a number
+Report = tuple[float, int, int]  # the time (wall time, s), the call, and a number
 ROBOT_TOPICS = (HEARTBEAT, LOOK, HEARD, JOB_BEGUN, QUIET_HEARD, JOB_DONE)
-# The driver's announcements on /driver/pump, with the call's number. Other nodes may publish there, too.
+# Matches the driver's announcements on /driver/pump, which contain the call's number. Other nodes may publish there,
+# too.
 ANNOUNCEMENT = re.compile(
     r"begin \d{1,9}|raised \d{1,9} (?P<raised>.*)|end \d{1,9}(?P<end>( \d{1,9}(\.\d{1,9})?){1,4})", re.DOTALL
 )
 
-# The numbers of pump's calls, and how long (s) each should take. Between two calls, the robots report 0.
+# The numbers of the calls of pump, and the duration (s) that each call requests. Between two calls, the robots report
+# 0.
 BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET, JOBS_ALONE = range(9)
 ASKED_S = (0.0, 2.1, 1.2, 0.08, 0.08, 0.05, 0.8, 1.6, 0.08)
 ROBOT_CALLS = (BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST)
 SHORT_CALLS = (SHORT, SHORT_TOO, SHORTEST)
-NEVER = math.inf  # begin of a call that isn't made, and end of one that doesn't return
+NEVER = math.inf  # the start of a call that isn't made, and the end of a call that doesn't return
 BURST_WORDS, WAITING_WORDS = 20, 5
 JOBS = 7
-JOBS_IN_A_ROW = 5  # for a robot without timers: two of them are two callbacks in a row
-QUIET_WORDS, EARLY_QUIET_WORDS = 4, 2  # the early ones come long before the call ends
-NUMBERS = range(1, 1000)  # of words and jobs
+JOBS_IN_A_ROW = 5  # for a robot without timers: two such jobs are two callbacks in a row
+QUIET_WORDS, EARLY_QUIET_WORDS = 4, 2  # the early words come long before the call's time is up
+NUMBERS = range(1, 1000)  # the numbers of words and jobs
 JOB_S, HEARTBEAT_PERIOD_S = 0.4, 0.1  # as in the driver
 
-# The task names these.
+# The task states these.
 EARLY_S, LATE_S = 0.05, 0.25
 LEAST_SHARE = 0.8  # of the heartbeats that are due
 LEAST_BEATS = LEAST_SHARE * ASKED_S[BURST] / HEARTBEAT_PERIOD_S
 LONGEST_SILENCE_S = 0.3
 PROCESSOR_SHARE = 0.12
-SHARE_WITH_TIMERS = 0.4  # right functions use up to a tenth, one that never waits uses all of it
+SHARE_WITH_TIMERS = 0.4  # correct functions use up to a tenth of a processor; one that never waits uses all of it
 
-DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
-A_FEW_BEATS = 3  # fewer may be chance
-AHEAD_S = 0.01  # a function that waits for the end never returns so early
+DELAY_S = 1.5  # longer than a message takes to arrive, even on a busy machine
+A_FEW_BEATS = 3  # fewer heartbeats may be chance
+AHEAD_S = 0.01  # a function that waits until its time is up never returns so early
 
 
 def drawn(rng: Random) -> list[see.Part]:
@@ -69,14 +71,14 @@ def drawn(rng: Random) -> list[see.Part]:
     starts = (0.2, 2.75, 4.15, 4.15, 4.15, 5.3, 6.65, 8.4)
     robots = (*["robot"] * 6, "quiet_robot", "worker")
     orders = [f"{number} {robot} {ASKED_S[number]}" for number, robot in enumerate(robots, start=1)]
-    # The driver receives each order three times, and carries it out once.
+    # The driver receives each order three times and carries it out once.
     go = [(at + 0.1 * n, order) for at, order in zip(starts, orders, strict=True) for n in range(3)]
-    # A 0 isn't judged. It follows the words because a lost message may arrive only with the next one.
+    # A 0 isn't judged. Zeros follow the words because a lost message may arrive only with the next one.
     heard = [(burst_at, word) for word in words[:BURST_WORDS]]
     heard += [(burst_at + after, 0) for after in (0.15, 0.35, 0.65)]
     heard += [(2.5, word) for word in words[BURST_WORDS:]]
     heard += [(at, 0) for at in (2.9, 3.1, 3.3)]
-    # The last two come so late that a restarted wait shows, even if the call itself began half a second late.
+    # The last two words come so late that a restarted wait shows, even if the call itself began half a second late.
     quiet = [*zip((7.4, 7.47, 8.0, 8.07), quiet_words, strict=True)]
     return [
         see.publish("/driver/go", String, go),
@@ -91,7 +93,7 @@ WATCH = watching(wall_seconds=9.8, script=drawn)
 
 
 class Call:
-    """One call of `pump`: its begin and end (s of wall time), its duration (s), and the error that it raised."""
+    """One call of `pump`: its start and end (wall time, s), its duration (s), and the error that it raised."""
 
     def __init__(self, run: "Run", number: int) -> None:
         self.run, self.number, self.asked, self.recording = run, number, ASKED_S[number], run.recording
@@ -107,17 +109,17 @@ class Call:
             arrived = self.end - self.begin
             self.took = took if abs(arrived - took) <= DELAY_S else arrived
             self.begin = min(self.begin, self.end - self.took)
-        self.waited = in_line + taken  # because the machine kept the program waiting
-        # the used share of one processor (1.0: all of it), not counting the wait for a processor on a busy machine
+        self.waited = in_line + taken  # the time (s) for which the machine kept the program waiting
+        # the used fraction of one processor (1.0: all of it), not counting the wait for a processor on a busy machine
         self.processor = used / (max(self.took - in_line, used) or 1.0)
         self.is_back = self.end < NEVER
         until = self.end if self.is_back else run.recording.wall_s
         self.spent = self.took if self.is_back else until - self.begin
-        self.late = self.spent - self.asked  # negative if before its time was up
+        self.late = self.spent - self.asked  # negative if the call returned before its time was up
         self.ahead = -self.late
         self.is_early = self.is_back and self.late < -EARLY_S
         self.extra = JOB_S if number in (SLOW, JOBS_ALONE) else 0.0  # for a job that runs when the time is up
-        self.kept_waiting = self.waited + run.machine_s  # program or judge, so the answer isn't to blame
+        self.kept_waiting = self.waited + run.machine_s  # the answer isn't to blame for this
         self.is_late = self.late > self.extra + LATE_S + self.kept_waiting
 
         self.beats = [at for at, call, _ in run.reports[HEARTBEAT] if call == number]
@@ -148,7 +150,8 @@ class Run:
         self.calls = [Call(self, number) for number in range(len(ASKED_S))]
         self.between, self.first, self.second = self.calls[BETWEEN], self.calls[BURST], self.calls[AGAIN]
         self.slow, self.quiet, self.alone = self.calls[SLOW], self.calls[QUIET], self.calls[JOBS_ALONE]
-        # The unwanted changes that calls made, such as "3: 1 timer left". Then the first one without its number.
+        # The unwanted changes that calls made, such as "3: 1 timer left". Then the first change without its call's
+        # number.
         self.changes = [one.replace(" ", ": ", 1) for one in see.driver_reports(recording, CHANGED)]
         self.changed_in, _, self.change = self.changes[0].partition(": ") if self.changes else ("", "", "")
         self.left = next((change for change in self.changes if change.endswith("left")), None)
@@ -169,15 +172,15 @@ class Run:
         self.does_less = self.rare_beats or len(self.waiting_handled) < WAITING_WORDS
         is_late = self.second.late > 2 * LATE_S + self.second.kept_waiting
         self.second_like_first = is_late and abs(self.second.took - self.first.took) < EARLY_S
-        # In the short calls, due timers don't fire, and the machine didn't keep the calls waiting.
+        # Whether due timers don't fire in the short calls, although the machine didn't keep these calls waiting.
         short = [self.calls[number] for number in SHORT_CALLS]
         idle = all(call.is_back and not call.beats and not call.looks for call in short)
         waited = self.machine_s + sum(call.waited for call in short)
         self.short_calls_idle = idle and waited <= LATE_S and bool(self.second.beats)
-        # A short call without jobs returned in time, and the call with jobs was made.
+        # Whether a short call without jobs returned in time, and the call with jobs was made.
         self.short_in_time = min(call.took for call in short) <= LATE_S and self.alone.begin < NEVER
 
-        # The CPU time of waiting. The CPU time of callbacks depends on the executor and the machine.
+        # The CPU time used by waiting. The CPU time used by callbacks depends on the executor and the machine.
         with_timers = (self.first, self.second)
         busiest = max(call.processor for call in with_timers)
         self.idle_share = self.quiet.processor if self.quiet.is_back else busiest
@@ -203,7 +206,7 @@ def reports(recording: Recording, one: see.Topic) -> list[Report]:
 
 
 def sent(recording: Recording, name: str) -> list[int]:
-    """Return the numbers that the script sends to a robot on a topic, in order. A 0 isn't judged, so it's left out."""
+    """Return the numbers that the script sends to a robot on a topic, in order, without zeros, which aren't judged."""
     return [one.value["data"] for one in see.script(recording, name) if one.value["data"]]
 
 
@@ -396,7 +399,7 @@ def nothing_left_running(recording: Recording) -> Verdict:
 
 
 def in_time(call: Call) -> Verdict:
-    """Check that the call took as long as asked."""
+    """Check that the call took as long as requested."""
     lost = NOT_MADE.first(call)
     if lost is None and not call.is_back and call.late < call.extra + LATE_S:
         return see.passed("the judge stopped watching before the call's time was up")

@@ -1,6 +1,6 @@
-"""Judge exercise 07: mypy checks the node and code that uses it, and a driver uses the node while it runs.
+"""Judge exercise 07: mypy checks the node and code that uses it, and a driver calls the node's methods at run time.
 
-Each run draws the numbers that the driver sends and the order of its calls.
+Each run draws the numbers that the driver sends, and the order of its calls.
 """
 
 import re
@@ -18,14 +18,14 @@ WORDS = see.Words(__file__)
 BATTERY = topic("/robot/battery", Float32, hz=1.0)
 STATUS = topic("/robot/status", String, hz=0.5)
 REPORT = topic("/driver/report", String, signed=True)
-# The values that wrong calls would publish. The node itself publishes other values.
+# The values that wrong calls would publish. The node itself never publishes these.
 WRONG_LEVELS = (87.5, 50.0, 12.5)
 NEVER_SENT = (
     "operatoinal", "3", "None", "Error", " error", "error\n", "oper", "error: arm", "charging", "",
 )  # fmt: skip
-ROUNDING = 1e-4  # how near an arrived number is to a rounded one
+ROUNDING = 1e-4  # the largest difference between a number that arrived and a rounded number
 ZERO = "send_battery(0.0)"
-NEAR = 1.0  # how far (%) a node may drain until it reports by itself again
+NEAR = 1.0  # the most (%) by which a node may drain until its next own report
 NUMBER_CALL = re.compile(r"(?:send_battery\(|battery_publisher\.publish\(Float32\(data=)(\d+(?:\.\d+)?)\)+")
 GOOD_WORD = "send_status('error')"
 GOOD_MESSAGE = "status_publisher.publish(String(data='error'))"
@@ -53,7 +53,7 @@ WRONG_MESSAGES = (
 def drawn_calls(rng: Random, numbers: list[str], twice: str) -> str:
     """Return one order: all calls, one per line, with the call `twice` made twice in a row after all other numbers.
 
-    Among the wrong words, a text comes first, which exposes a check that refuses only once.
+    Among the wrong words, a string comes first, which exposes a check that refuses only once.
     """
     calls = [*numbers, GOOD_WORD, GOOD_MESSAGE, *WRONG_NUMBERS, *WRONG_WORDS, *WRONG_MESSAGES]
     rng.shuffle(calls)
@@ -65,14 +65,14 @@ def drawn_calls(rng: Random, numbers: list[str], twice: str) -> str:
 
 
 def drawn(rng: Random) -> list[see.Part]:
-    """Draw the script: one order in each half of the watch. Both orders have the same calls."""
+    """Draw the script: one order in each half of the watch. Both orders contain the same calls."""
     levels = (
         f"{rng.randrange(21, 80, 2)}",
         f"{rng.randint(21, 79)}.25",
         "0.0",
         f"{rng.randrange(5, 29, 2) / 32}",
         f"{rng.randint(21, 79) + rng.randrange(1, 64, 2) / 64}",
-        rng.choice(("99.9375", "99.8125")),  # more than the node's own
+        rng.choice(("99.9375", "99.8125")),  # more than the node's own charge
     )
     numbers = [f"send_battery({level})" for level in levels]
     numbers.append(f"battery_publisher.publish(Float32(data={rng.randint(21, 79)}.75))")
@@ -166,7 +166,7 @@ NO_VALUE = probe(
 
 
 def level_of(call: str) -> float | None:
-    """Return the number that a call must publish; None if it must publish none."""
+    """Return the number that a call must publish, or None if it mustn't publish a number."""
     found = NUMBER_CALL.fullmatch(call)
     return float(found[1]) if found else None
 
@@ -182,10 +182,10 @@ class Use:
 
     def __init__(self, recording: Recording) -> None:
         self.recording = recording
-        self.orders = [one.wall for one in see.published(recording, "/driver/go")]  # in s of wall time
+        self.orders = [one.wall for one in see.published(recording, "/driver/go")]  # wall time, s
         ordered = [one.value["data"].splitlines() for one in see.script(recording, "/driver/go")][:1]
-        calls = [call for order in ordered for call in order]  # each as one writes it
-        # Each call that publishes a number, once: ints first, the smallest numbers last.
+        calls = [call for order in ordered for call in order]  # each as Python source
+        # Each call that publishes a number, once: ints first, numbers below 1 last.
         numbers = {call: level for call in calls if (level := level_of(call)) is not None}
         by_kind = sorted(numbers.items(), key=lambda one: (not is_whole(one[0]), one[1] < 1.0, one[1]))
         self.numbers = dict(by_kind)
@@ -194,7 +194,7 @@ class Use:
         # All values that may come from the driver, including those of wrong calls.
         self.sent = {*self.numbers.values(), *WRONG_LEVELS}
 
-        # Each call that was made, and its outcome: "returned", or the error.
+        # Each call that was made, and its outcome: "returned" or the error.
         reports = see.driver_reports(recording, REPORT)
         parts = [line.partition("\t") for text in reports for line in text.splitlines()]
         self.made = [(call, end) for call, mark, end in parts if mark]
@@ -206,7 +206,7 @@ class Use:
                 self.ends[call] = end
         self.word_end = self.ends.get(GOOD_WORD)
         self.message_end = self.ends.get(GOOD_MESSAGE, "returned")
-        self.has_publisher = not self.message_end.startswith("AttributeError")  # else another criterion fails
+        self.has_publisher = not self.message_end.startswith("AttributeError")  # otherwise, another criterion fails
 
         self.levels = see.values(recording, BATTERY)
         self.words = see.values(recording, STATUS)
@@ -217,8 +217,9 @@ class Use:
         self.zeros_too_many = max(0, self.levels.count(0.0) - asked)
 
         # The node's own reports, without the values that the driver sent through the node. The driver makes its calls
-        # in one callback, from an order to its reports. During this time, the node's timers don't run, but a thread of
-        # the node may. So a value that fits between the node's other reports counts as the node's own.
+        # in one callback, between an order's arrival and the reports. During this time, the node's timers don't fire,
+        # but a thread of the node may publish. So a value that fits between the node's other reports counts as the
+        # node's own.
         reported = [one.published for one in recording.topic(REPORT.name).arrivals]
         spans = [(at, min((end for end in reported if end >= at), default=at)) for at in self.orders]
         topics = dict(recording.topics)
@@ -231,7 +232,7 @@ class Use:
             topics[one.name] = replace(seen, arrivals=own)
         self.own = replace(recording, topics=topics)
 
-        # the node's charge before and after each order; empty if one of them is missing
+        # the node's charges before and after each order, or [] if one of them is missing
         charges = [(one.published, one.value["data"]) for one in self.own.topic(BATTERY.name).arrivals]
         before = [[level for at, level in charges if at < order][-1:] for order in self.orders]
         after = [[level for at, level in charges if at >= order][:1] for order in self.orders]
@@ -249,13 +250,13 @@ class Use:
         self.error_kept = bool(self.orders) and changes and 0.0 not in see.values(self.own, BATTERY)
 
     def times_done(self, call: str) -> int:
-        """Return how many times the driver made this call without an error."""
+        """Return the number of times that the driver made this call without an error."""
         return self.made.count((call, "returned"))
 
     def fits_between(self, arrival: see.Arrival, others: list[see.Arrival]) -> bool:
         """Return whether an arrival may be the node's own report rather than one of the driver's values.
 
-        It must be "operational", or a charge between the charges before and after it.
+        An own report is "operational", or a charge between the charges before and after it.
         """
         value = arrival.value["data"]
         if isinstance(value, str):
@@ -280,20 +281,20 @@ class NumberCall:
 
     @property
     def near(self) -> list[float]:
-        """The values that may be this number, rounded. 0.0 is left out, because the driver sends 0.0 as well."""
+        """The values that may be this number after rounding. 0.0 is left out, because the driver sends 0.0 as well."""
         rounded = {float(int(self.number)), *(round(self.number, digits) for digits in range(5))} - {0.0}
         return [level for level in self.use.levels if any(abs(level - one) < ROUNDING for one in rounded)]
 
 
 class Refusals:
-    """Calls that must raise an error. `sent`: a value that arrived because of them; empty if none did."""
+    """Calls that must raise an error. `sent`: a value that arrived because of such a call, or "" if none did."""
 
     def __init__(self, use: Use, calls: tuple[str, ...], topic: str = BATTERY.name) -> None:
         self.use, self.calls, self.topic, self.sent = use, calls, topic, ""
         returned = [call for call in calls if use.ends.get(call, "returned") == "returned"]
-        self.accepted = [*returned, ""][0]  # empty if each raised an error
+        self.accepted = [*returned, ""][0]  # "" if each call raised an error
         self.returned = {call for call in returned if call in use.ends}
-        # the first call that raised an error only one of the times
+        # the first call that raised an error only one of the two times
         ends = {(call, end == "returned") for call, end in use.made}
         differing = [call for call in calls if {(call, True), (call, False)} <= ends]
         self.now_and_then = [*differing, ""][0]
@@ -309,7 +310,7 @@ class Refusals:
 def wrong_numbers(use: Use) -> Refusals:
     """Return the calls whose argument isn't a number.
 
-    An int that arrived as 0.0 doesn't count here, because `numbers_arrive` judges it.
+    A 0.0 that arrived in place of an int is left out here, because the criterion `numbers_arrive` judges it.
     """
     calls = Refusals(use, WRONG_NUMBERS)
     whole = next(filter(is_whole, use.numbers), "")
@@ -323,7 +324,7 @@ def wrong_numbers(use: Use) -> Refusals:
 def wrong_words(use: Use) -> Refusals:
     """Return the calls whose word isn't a status.
 
-    An answer may publish "error" in place of such a word. Then "error" arrives more often than requested.
+    If an answer publishes "error" in place of such a word, "error" arrives more often than requested.
     """
     calls = Refusals(use, WRONG_WORDS, STATUS.name)
     wrong = [word for word in use.words if word in NEVER_SENT]
@@ -470,7 +471,7 @@ def refuses_wrong_types(recording: Recording) -> Verdict:
     numbers = wrong_numbers(use)
     messages = refused(Refusals(use, WRONG_MESSAGES), MESSAGE_ACCEPTED)
     if not numbers.accepted and not messages.ok:
-        return messages  # what was sent may have come from a message
+        return messages  # the value that arrived may have come from a message
     return see.all_of(refused(numbers, NUMBER_ACCEPTED), messages)
 
 
@@ -488,9 +489,9 @@ def refuses_wrong_words(recording: Recording) -> Verdict:
 
 
 def refused(calls: Refusals, accepted: see.Rules[Refusals]) -> Verdict:
-    """Check that each of these calls raised an error and published nothing.
+    """Check that each of these calls raised an error and didn't publish a value.
 
-    `accepted`: the rules if one didn't raise.
+    `accepted`: the rules that apply if a call didn't raise an error.
     """
     if calls.accepted:
         return accepted.verdict(calls)

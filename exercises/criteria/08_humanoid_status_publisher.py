@@ -1,4 +1,4 @@
-"""Judge exercise 08 by the status and battery messages, and by how the program ends on Ctrl-C."""
+"""Judge exercise 08 by the status and battery messages, and by how the program exits on Ctrl-C."""
 
 from itertools import pairwise
 

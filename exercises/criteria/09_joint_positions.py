@@ -1,4 +1,4 @@
-"""Judge exercise 09 by its messages alone, not by how the program is written or how it ends."""
+"""Judge exercise 09 by the program's messages alone, not by how the program is written or how it exits."""
 
 import math
 

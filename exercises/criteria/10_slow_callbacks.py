@@ -26,33 +26,33 @@ FROM_THE_NOTEBOOK_M = 0.7  # one of the distances that the notebook requests
 LINK_M = 0.4
 PLANNING_S = 0.8
 SOONEST_S = 0.78
-ALMOST_S = 0.7  # searches side by side end as far apart as their requests, or nearly at once
+ALMOST_S = 0.7  # parallel searches finish as far apart as their requests, or nearly at the same time
 TOLERANCE_RAD = 1e-6
-SEARCHING_RAD = 1e-4  # farther off than the formula, nearer than a search half way
-ALIKE_RAD = 0.06  # near enough to tell which request a plan is for
+SEARCHING_RAD = 1e-4  # farther off than the formula's result, but closer than an unfinished search
+ALIKE_RAD = 0.06  # close enough to show which request a plan is for
 
 LEAST_SHARE, MOST_SHARE = 0.90, 1.10
 TYPICALLY_S = (0.095, 0.105)
 STEADY = 0.05  # of the typical interval
-FAR_TOO_SLOW = 1.5  # times the period: no work that comes on top takes as long
-AVERAGED = 5  # beats over which the typical interval is taken: one step of a search may hold up each a little
+FAR_TOO_SLOW = 1.5  # times the period: no additional work takes that long
+AVERAGED = 5  # heartbeats per averaged interval, because a search step may delay each a little
 LONGEST_SILENCE_S = 0.5
 WATCH_S = 9.0
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Draw the script: three requests, and four more once the planner is idle again. First, the heart beats alone.
+    """Draw the script: three requests, and four more once the planner is idle again.
 
-    Some requests have to wait for the planner. Of the first three, those come from far to near. Of the last four, they
-    come from near to out of reach and back to the same near distance. A very near request comes twice in a row, the
-    second time to an idle planner.
+    Before the first request, only the heartbeat is published. Some requests have to wait for the planner. Among the
+    first three, the waiting requests go from far to near. Among the last four, they go from near to out of reach and
+    back to the same near distance. A very near request comes twice in a row, the second time to an idle planner.
     """
     out_of_reach = rng.randint(85, 92) / 100
     very_near = drawn_distance(rng, 0.04, 0.09)
     while True:
         once, again = drawn_distance(rng, 0.2, 0.62), drawn_distance(rng, 0.2, 0.62)
         bends = [planned(distance) for distance in (very_near, once, again, FROM_THE_NOTEBOOK_M)]
-        # no plan, and no half plan, may look like the plan for another distance
+        # no plan, and no half of a plan, may look like the plan for another distance
         if all(
             (one is other or abs(one - other) > 2.5 * ALIKE_RAD) and abs(one / 2.0 - other) > 1.5 * ALIKE_RAD
             for one, other in product(bends, bends)
@@ -108,7 +108,7 @@ MEASURES: dict[str, tuple[Callable[[float], float], float, float]] = {
     "whole cm": (lambda distance: planned(round(distance, 2)), 0.0, TOLERANCE_RAD),
     "whole mm": (lambda distance: planned(round(distance, 3)), 0.0, TOLERANCE_RAD),
 }
-"""By name, the wrong value that a program may publish for a distance (m), and its relative and absolute tolerance."""
+"""The wrong values that a program may publish for a distance (m), by name, with relative and absolute tolerances."""
 ROUNDED = ("whole cm", "whole mm")
 
 
@@ -119,16 +119,17 @@ class Heart:
         self.recording, self.beats = recording, see.beats(recording, HEARTBEAT)
         self.has_too_few_beats = self.beats.share < LEAST_SHARE
         self.times = self.beats.times
-        # the spans in which plans were being made, assuming that each took as long as the planner needs
+        # the spans in which plans were being made, assuming that each plan took as long as the planner needs
         self.plans = sorted((one.t - PLANNING_S, one.t) for one in recording.topic(PLAN.name).arrivals)
 
-        # the position of the longest silence, if it's too long, and whether a plan was being made for most of it
+        # the position of the longest silence, if it's too long, and whether a plan was being made for most of that time
         silence = self.beats.silence
         self.long_silence = silence.kind if silence.seconds > LONGEST_SILENCE_S else ""
         shared = [min(silence.end, end) - max(silence.start, begin) for begin, end in self.plans]
         self.silence_is_planning = sum(max(0.0, one) for one in shared) >= 0.7 * silence.seconds
 
-        # the mean intervals, each over several beats in a row; steady if they're the same while plans are being made
+        # the mean intervals, each over several heartbeats in a row; steady if they don't change while plans are being
+        # made
         self.means = [(b - a) / AVERAGED for a, b in zip(self.times, self.times[AVERAGED:], strict=False)]
         self.typical_s = statistics.median(self.means or [0.0])
         near = [abs(mean - self.typical_s) < STEADY * self.typical_s for mean in self.means]
@@ -161,19 +162,19 @@ class Plan(NamedTuple):
 
     bend: float
     found: float  # the bend that the planner finds for the request
-    off_by: float  # how far the plan is from that; infinite if it fits no request
-    of: float  # the distance (m) of the request; NaN if the plan fits none
-    turn: int  # which request of this distance it is, from 1 on
-    after: float  # how long after that request it came (s)
-    apart: float  # how long after the plan before it came (s)
+    off_by: float  # the plan's distance from `found`, or infinity if the plan fits no request
+    of: float  # the distance (m) of the request, or NaN if the plan fits no request
+    turn: int  # the request's number among the requests for this distance, from 1
+    after: float  # the time (s) from that request to the plan
+    apart: float  # the time (s) from the previous plan to this one
 
 
 class Planning:
-    """The plans in the order of publication, and the requests that they answer."""
+    """The plans, in the order of publication, and the requests that they answer."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording = recording
-        # this includes requests that were still due when the program ended
+        # this includes requests that were still due when the program exited
         self.asked = [round(one.value["data"], 4) for one in see.script(recording, REQUESTS)]
         self.made = list[Plan]()
         requests = see.published(recording, REQUESTS)
@@ -195,29 +196,29 @@ class Planning:
         relay = see.Relay(self.asked, self.order)
         self.missing, often = relay.missing, dict(relay.repeated)
         self.twice = [distance for distance in dict.fromkeys(self.asked) if distance in often]
-        # the distances that are requested twice, beginning with the one that comes twice in a row
+        # the distances that are requested twice, beginning with the one that's requested twice in a row
         self.repeated = [d for d, times in Counter(self.asked).items() if times > 1]
-        # whether only the first requests are answered, in order, and whether only the last one is not
+        # whether only the first requests are answered, in order, and whether only the last request isn't answered
         count = len(self.made)
         self.stops = relay.stops and count > 1
         self.lacks_the_last = self.stops and count == len(self.asked) - 1
         self.strange = next((plan for plan in self.made if math.isnan(plan.of)), None)  # fits no request
         self.soon = [plan for plan in self.made if plan.after < SOONEST_S]
         self.guesses = [plan for plan in self.soon if plan.off_by > SEARCHING_RAD]
-        self.off = [plan for plan in self.made if TOLERANCE_RAD < plan.off_by < math.inf]  # not quite right
+        self.off = [plan for plan in self.made if TOLERANCE_RAD < plan.off_by < math.inf]  # close, but not right
         self.exact = [one for one in self.off if abs(one.bend - bend_for(one.of)) < TOLERANCE_RAD / 2.0]
-        # the typical time (s) between plans; 0 if there are too few to tell
+        # the typical time (s) between plans, or 0 if there are too few plans
         self.apart_s = statistics.median([plan.apart for plan in self.made[1:]] if count > 2 else [0.0])
         # whether plans come in order but far apart, until the watch ends
         rest_s = WATCH_S + sum(one.wall - one.t for one in requests[:1]) - last
         self.is_too_slow = self.stops and self.apart_s > 1.25 * PLANNING_S and rest_s <= 2.0 * self.apart_s
-        # the first plan that came sooner after the previous one than a search takes, if none came too soon after its
+        # the first plan that followed the previous one sooner than a search takes, if no plan came too soon after its
         # request
         self.close = next((one for one in self.made[1:] if one.apart < SOONEST_S and not self.soon), None)
 
     @cached_property
     def measure(self) -> str:
-        """The name of the wrong value in `MEASURES` that each plan has for some request; empty if there is none."""
+        """The name of the wrong value in `MEASURES` that each plan has for some request, or "" if there is none."""
         for name, (measure, rel_tol, abs_tol) in MEASURES.items():
             near = partial(math.isclose, rel_tol=rel_tol, abs_tol=abs_tol)
             right = [measure(distance) for distance in self.asked]

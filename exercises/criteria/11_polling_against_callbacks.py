@@ -1,4 +1,4 @@
-"""Judge exercise 11 by sixty numbered touches, and by when the program reports each of them."""
+"""Judge exercise 11 by the program's reports on sixty numbered touches, and by the time of each report."""
 
 import math
 import random
@@ -16,27 +16,27 @@ TOUCH = "/robot/touch"
 SEEN = topic("/monitor/seen", Int32)
 WORDS = see.Words(__file__)
 
-IN_A_RUN, IN_A_BUNCH = 8, 11  # touches that come one by one, and in one moment
-PAUSE_S = 2.0  # no touch for longer than that is the pause, of three seconds
-REPORTED_BY_S = 0.25  # this long after the last touch, a program is idle
+IN_A_RUN, IN_A_BUNCH = 8, 11  # the numbers of touches that come one by one, and at the same time
+PAUSE_S = 2.0  # a longer time without a touch is the script's pause, which lasts three seconds
+REPORTED_BY_S = 0.25  # by this time after the last touch, a program is idle
 
 # A callback needs 1 ms, or 2 ms on a busy machine. A program that polls every 20 ms is up to 20 ms late.
 ALONE_MS, ALONE_SHARE = 10.0, 0.75
-TOGETHER_MS = 200.0  # half of a bunch: far more than eleven callbacks need, less than eleven sleeps of 0.05 s
+TOGETHER_MS = 200.0  # for half of a bunch: far more than 11 callbacks need, less than 11 sleeps of 0.05 s
 MOSTLY = 0.7
 AT_ONCE_S = 0.02
-TOO_LATE_MS = 300.0  # later than polling every 0.2 s can explain: these have waited in a queue
+TOO_LATE_MS = 300.0  # longer than polling every 0.2 s can explain, so the touch waited in a queue
 EARLY_S = 0.001
 PROCESSOR_SHARE = 0.05
 NEVER_WAITS_SHARE = 0.4
-WAITED_S = 0.1  # in the run queue: on a machine with little else to do it is a tenth of that
+WAITED_S = 0.1  # in the run queue: on an otherwise idle machine, a program waits a tenth of that
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
     """Draw the script of sixty touches: eight single ones, two bunches, eight single ones, and two more bunches.
 
     The last bunch follows after a pause of 3 s. The intervals (s) between single touches are longer than the starter's
-    sleep, and out of step with it.
+    sleep and out of step with that sleep.
     """
     spacing = rng.uniform(0.223, 0.233)
     run, bunch = [spacing * n for n in range(IN_A_RUN)], [0.0] * IN_A_BUNCH
@@ -55,11 +55,12 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_numbers(rng: random.Random) -> list[int]:
-    """Draw the touches' numbers. They begin above 1000, and skip one number and then many, or many and then one.
+    """Draw the touches' numbers.
 
-    They restart at 1 three times: twice in a row among the single touches, and in the middle of the last bunch. So 1
-    occurs twice in a row, and the first numbers occur again. The numbers before the last restart are greater than those
-    after it. The size of a bunch is one of the numbers, but only after the first two bunches.
+    The numbers begin above 1000, and skip one number and then many, or many and then one. They restart at 1 three
+    times: twice in a row among the single touches, and in the middle of the last bunch. So 1 occurs twice in a row, and
+    the first numbers occur again. The numbers before the last restart are greater than those after it. The size of a
+    bunch is one of the numbers, but only after the first two bunches.
     """
     great, last = rng.randint(34, 36), rng.randint(6, 9)
     small = 2 * IN_A_RUN + 4 * IN_A_BUNCH - great - 1 - last
@@ -79,7 +80,7 @@ class Touches:
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.in_line_s = recording, recording.in_line_s
-        script = see.script(recording, TOUCH)  # with those that were still to come when the program ended
+        script = see.script(recording, TOUCH)  # including the touches that were still due when the program exited
         self.sent = [one.value["data"] for one in script]
         self.came = [(one.value["data"], one.wall) for one in see.published(recording, TOUCH)]
         arrivals = recording.topic(SEEN.name).arrivals
@@ -94,7 +95,7 @@ class Touches:
         singly = [pause for place, pause in pauses.items() if {place, place - 1} <= self.alone]
         self.apart_ms = 1000.0 * statistics.median(singly or [0.0])
         self.after_the_pause = next((place for place, pause in pauses.items() if pause > PAUSE_S), None)
-        # how much greater each number is than the previous one, and the first number that isn't greater
+        # the difference between each number and the previous one, and the place of the first number that isn't greater
         steps = [1, *(number - before for before, number in pairwise(self.sent))]
         self.restart = next((place for place, step in enumerate(steps) if step <= 0), 0)
         self.greatest = max(self.sent, default=0)
@@ -110,7 +111,7 @@ class Touches:
         most = "all of them" if self.together == missed_count else "most of them"
         self.which_together = "it" if missed_count == 1 else most
 
-        # reported numbers that no touch has, that were reported too early, and that were reported too often
+        # the reported numbers that no touch has, those reported too early, and those reported too often
         self.strange = [number for number in self.numbers if number not in self.sent]
         self.has_all = {*self.sent} <= {*self.numbers}
         self.is_cut_off = self.numbers == [number % 256 for number in self.sent]
@@ -124,8 +125,8 @@ class Touches:
         sent = [(self.sent[a], self.sent[b]) for a, b in pairs if b < a]
         self.back = [(one, other) for one, other in sent if one != other]
 
-        # when (s) each touch was reported; if wrong numbers are reported, but as many as there were touches, the first
-        # report belongs to the first touch, and so on
+        # the time (s) of each touch's report; if wrong numbers are reported, but as many as there were touches, the
+        # first report belongs to the first touch, and so on
         others = self.strange and len(self.numbers) == count
         places = range(count) if others else self.places
         moments = {n: at for n, (_, at) in zip(places, self.reports, strict=True) if n is not None}
@@ -138,13 +139,13 @@ class Touches:
         self.typical_ms = statistics.median(self.alone_ms or [self.half_ms])
         self.soon = sum(late <= ALONE_MS for late in self.alone_ms)
         self.is_late = self.soon < ALONE_SHARE * len(self.alone_ms)
-        # whether single touches were mostly reported at the same moment as others, or all equally late
+        # whether single touches were mostly reported at the same time as others, or all equally late
         at_s = sorted(moment for place, moment in moments.items() if place in self.alone)
         self.are_collected = sum(b - a < AT_ONCE_S for a, b in pairwise(at_s)) >= MOSTLY * len(at_s)
         near = sum(abs(late - self.typical_ms) < 0.1 * self.typical_ms for late in self.alone_ms)
         self.are_evenly_late = near >= ALONE_SHARE * len(self.alone_ms)
 
-        # the used share of a processor in the pause, or in the whole watch if there was no pause
+        # the used fraction of a processor in the pause, or in the whole watch if there was no pause
         walls = [wall for _, wall in self.came]
         place = self.after_the_pause or len(walls)
         span = (walls[place - 1] + REPORTED_BY_S, walls[place]) if place < len(walls) else ()
@@ -152,11 +153,11 @@ class Touches:
         self.processor = math.nan if share is None else share
 
     def found_places(self) -> list[int | None]:
-        """Return the place of each report's touch; None if no touch fits.
+        """Return the place of each report's touch, or None if no touch fits.
 
-        A touch fits if it has this number, came before the report, and has no report yet. If several touches fit,
-        choose the first one after the touch that was reported last; if two in a row have the same number, choose the
-        second. Without such a touch, choose the latest.
+        A touch fits a report if it has the reported number, came before the report, and has no report yet. If several
+        touches fit, choose the first one after the touch that was reported last; if two touches in a row have the same
+        number, choose the second. Without such a touch, choose the latest one that fits.
         """
         found: list[int | None] = []
         free, last = dict(enumerate(self.came)), -1
@@ -171,7 +172,7 @@ class Touches:
 
 
 def some(numbers: Sequence[int]) -> str:
-    """Return the first four of these numbers as text, with "…" if there are more."""
+    """Return the first four of these numbers as a string, with "…" if there are more."""
     return ", ".join([*map(str, numbers[:4]), *(["…"] if len(numbers) > 4 else [])])
 
 

@@ -1,4 +1,4 @@
-"""Judge exercise 12 by its calls, its reports on the responses, and the heartbeat in the meantime."""
+"""Judge exercise 12 by the program's calls, its reports on the responses, and its heartbeat in the meantime."""
 
 import math
 import random
@@ -21,7 +21,7 @@ HEARTBEAT = topic("/robot/heartbeat", String, hz=5.0)
 RESULTS = {True: "ok", False: "faulty"}
 NO_ANSWER = "no answer"
 KNOWN = (*RESULTS.values(), NO_ANSWER)
-AT_ONCE, SLOW, NEVER = 0.0, 0.7, None  # when a call is answered (s)
+AT_ONCE, SLOW, NEVER = 0.0, 0.7, None  # the delay of a call's response (s)
 ALL_WELL = "all joints move"
 FELT = {True: "warm", False: "stiff"}
 JOINTS = ("left knee", "right knee", "left elbow", "right elbow", "left hip", "neck")
@@ -32,10 +32,10 @@ def drawn(rng: random.Random) -> list[see.Part]:
     """Draw the replies to twelve calls, in order. The last reply also applies to all later calls.
 
     The first three replies are "ok", either of the two results, and a slow "faulty", so that a result comes twice in a
-    row. None of these three is immediate after a slow one, or slow after a slow "faulty". Then four calls get no
-    response, two of them in a row. After each of the other two, a response comes immediately, so that a report that
-    waits for the earlier call is late twice. After the two in a row, a slow response comes, so that nothing comes
-    between the moments when the program gives up on the two.
+    row. None of these three replies is immediate after a slow reply, or slow after a slow "faulty". After that, four
+    calls get no response, two of them in a row. After each of the other two calls, the next response comes immediately,
+    so that a report that waits for the earlier call is late twice. After the two calls in a row, the next response is
+    slow, so that no response comes between the times at which the program gives up on these two calls.
     """
     after_three = [[NEVER, AT_ONCE], [NEVER, AT_ONCE, SLOW], [NEVER, NEVER, SLOW]]
     rng.shuffle(after_three)
@@ -45,7 +45,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
     at_once = [place for place, one in enumerate(delays[:-1]) if one == AT_ONCE and place > 2]
     successes[rng.choice(at_once)] = False
     plain = [False, True, False, *(rng.random() < 0.5 for _ in delays[3:])]
-    # A text is for people. Only a plain text shows the result.
+    # The string is meant for people. Only a plain string agrees with the result.
     texts = [
         ALL_WELL if success is is_plain else f"the {rng.choice(JOINTS)} is {FELT[success]}"
         for success, is_plain in zip(successes, plain, strict=True)
@@ -56,34 +56,34 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 
-LEAST_CALLS = 4  # the fourth is the first one that may get no response
+LEAST_CALLS = 4  # the fourth call is the first one that may get no response
 SHORTEST_PERIOD_S, LONGEST_PERIOD_S = 0.9, 1.1
 LONGEST_PAUSE_S = 2.5  # after a call without a response
-PAUSE_S, PAUSES = 1.4, 1  # after other calls: as many may be longer
-TOLD_WITHIN_S, BELONGS_S = 0.8, 1.6  # later than that, it's taken for the report of another response
+PAUSE_S, PAUSES = 1.4, 1  # after other calls: the longest usual pause, and the number of longer pauses that we accept
+TOLD_WITHIN_S, BELONGS_S = 0.8, 1.6  # a later report counts as the report of another response
 LATER_ONCE_S = BELONGS_S - TOLD_WITHIN_S
 MAY_TAKE_S, GIVEN_UP_WITHIN_S = 0.8, 2.0
 MAY_COME_UNTIL_S = MAY_TAKE_S + 0.05
-GIVEN_UP_AT_ONCE_S = 1.3  # with the next request, or a moment later
+GIVEN_UP_AT_ONCE_S = 1.3  # with the next request, or shortly after it
 SLACK_S = 0.1  # for a busy machine
-NEARLY_S = 0.03  # the same, where each call is given up too early
-LONG_SLACK_S = 0.3  # the same, where a period and a time limit add up
-SOONEST_S, LATEST_S = MAY_TAKE_S - SLACK_S, GIVEN_UP_WITHIN_S + LONG_SLACK_S  # when a call is given up
-LATE_ONES = 2  # calls given up equally late: one alone doesn't show it
-MOST, A_LOT = 2000, 200  # calls, and reports, that are judged, and that are compared one by one
+NEARLY_S = 0.03  # the same if the program gives up on each call too early
+LONG_SLACK_S = 0.3  # the same if a period and a time limit add up
+SOONEST_S, LATEST_S = MAY_TAKE_S - SLACK_S, GIVEN_UP_WITHIN_S + LONG_SLACK_S  # for giving up
+LATE_ONES = 2  # the number of calls given up equally late that show a pattern
+MOST, A_LOT = 2000, 200  # the most calls and reports that are judged, and that are compared one by one
 MOSTLY = 0.7
-AT_ONCE_S = 0.05  # so soon after another call or response, a call came with it, or because of it
-WAITED_IN_VAIN_S = 0.3  # so long after the response, the callback that reads the result had waited for it
-LEAST_SHARE, MOST_SHARE, LEAST_MEANWHILE = 0.9, 1.1, 0.6  # of the beats due: in all, and while calls are open
-LEAST_DUE = 1.0  # fewer beats show nothing
+AT_ONCE_S = 0.05  # a call that follows another call or response so soon came along with it, or because of it
+WAITED_IN_VAIN_S = 0.3  # so long after the response, a callback that still waits for the result waits in vain
+LEAST_SHARE, MOST_SHARE, LEAST_MEANWHILE = 0.9, 1.1, 0.6  # of the heartbeats due: in all, and during calls
+LEAST_DUE = 1.0  # fewer due heartbeats don't show anything
 SHORTEST_BEAT_S, LONGEST_BEAT_S, STOPPED_S, EDGE_S = 0.18, 0.22, 0.9, 0.05
-FEW_CALLS = 2  # fewer calls after the last beat don't show that the rest goes on
-EARLY_S = 0.1  # what was sent before the watch waited for it, and nobody knows how long
-FIRST_SECONDS_S = 2.5  # a call from before the watch may be given up until then
+FEW_CALLS = 2  # fewer calls after the last heartbeat don't show that the rest of the program goes on
+EARLY_S = 0.1  # a message from before the watch waited until it began, for an unknown time
+FIRST_SECONDS_S = 2.5  # until then, the program may give up on a call from before the watch
 
 
 class Report(NamedTuple):
-    """A word on /robot/health, and when it arrived (s)."""
+    """A word on /robot/health, and its arrival time (s)."""
 
     t: float
     word: str
@@ -96,13 +96,13 @@ def within(reports: Sequence[Report], low: float, high: float) -> Sequence[Repor
 
 
 def grouped(times: Sequence[float]) -> list[tuple[int, float]]:
-    """Group sorted moments (s) that follow each other immediately. Return each group's size and first moment."""
+    """Group sorted times (s) that follow each other immediately. Return each group's size and first time."""
     starts = [n for n, t in enumerate(times) if n == 0 or t - times[n - 1] >= AT_ONCE_S]
     return [(end - start, times[start]) for start, end in pairwise([*starts, len(times)])]
 
 
 class Call:
-    """One call of the program. Times in s; `at`: when it was answered, infinity if it never was."""
+    """One call by the program. Times are in s. `at`: the time of the response, or infinity if there was none."""
 
     def __init__(self, seen: see.CallSeen, next_t: float, end: float) -> None:
         self.t, self.next_t, self.pause_s = seen.t, next_t, next_t - seen.t
@@ -113,22 +113,22 @@ class Call:
         self.word = RESULTS[self.success]
         self.text = str((seen.response or {}).get("message", ""))
         self.word_of_text = RESULTS[self.text == ALL_WELL]
-        last = end - TOLD_WITHIN_S - LONG_SLACK_S  # at the edges of the watch, no report can be expected
+        last = end - TOLD_WITHIN_S - LONG_SLACK_S  # a report may be missing at the edges of the watch
         self.may_be_missing = self.t < EARLY_S or self.took_s > MAY_COME_UNTIL_S or self.at > last
-        self.near: Sequence[Report] = ()  # the results that may belong to its response
-        self.gave_up: Sequence[Report] = ()  # each "no answer" that came although it was answered
+        self.near: Sequence[Report] = ()  # the reported results that may belong to its response
+        self.gave_up: Sequence[Report] = ()  # each "no answer" that was reported although the call got a response
 
     @property
     def own(self) -> list[Report]:
         return [report for report in self.near if report.word == self.word]
 
     def about_it(self, reports: Sequence[Report]) -> Sequence[Report]:
-        """Return the reports that may be about this call if it got no response."""
+        """Return the reports that may be about this call if it didn't get a response."""
         return within(reports, self.t + SOONEST_S, self.t + LATEST_S)
 
 
 class Run:
-    """The program's calls and reports. The attributes are the facts that the feedback texts can mention."""
+    """The program's calls and reports. The attributes are the facts for the feedback."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.end = recording, recording.watched_s
@@ -164,7 +164,7 @@ class Run:
     def is_excused(self, call: Call) -> bool:
         """Return whether the program gave up on a slow response when that was almost allowed.
 
-        On a very busy machine, even a correct program may do that.
+        On a very busy machine, even a correct program may give up then.
         """
         given_up = within(self.stray, call.t + SOONEST_S, call.t + GIVEN_UP_AT_ONCE_S)
         return call.was_slow and bool(given_up) and not call.own
@@ -172,7 +172,7 @@ class Run:
     def paired(self, edge_s: float = 0.0) -> list[tuple[Call, Report]] | None:
         """Pair responses and reports.
 
-        Return None if they don't fit. Responses in the last `edge_s` s may lack a report.
+        Return None if that's impossible. Responses in the last `edge_s` s may lack a report.
         """
         last = self.end - TOLD_WITHIN_S - LONG_SLACK_S
         return see.pair_in_order(
@@ -186,7 +186,7 @@ class Run:
 
 
 class Ending(Run):
-    """The last call, and everything from then to the end of the watch."""
+    """The last call, and all events from then to the end of the watch."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -195,11 +195,11 @@ class Ending(Run):
         self.since_response_s = max((self.end - call.at for call in self.last), default=0.0)
         self.reported = any(report.t >= call.at for call in self.last for report in self.reports)
         ends = [topic.arrivals[-1].t for topic in recording.with_publishers() if topic.arrivals]
-        self.is_alive = max(ends, default=0.0) > self.end - 1.0  # something was published in the last second
+        self.is_alive = max(ends, default=0.0) > self.end - 1.0  # the program published a message in the last second
 
 
 class Pauses(Run):
-    """The pauses between the calls. Each pause is represented by the call before it."""
+    """The pauses between the calls. The call before a pause represents that pause."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -251,7 +251,7 @@ class Heart(Run):
 
 
 class Results(Run):
-    """The responses and the reports on them. If there are very many, only the first ones are compared one by one."""
+    """The responses, and the reports on them. If there are very many, only the first ones are compared one by one."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -272,7 +272,7 @@ class Results(Run):
         last = max(results, default=Report(math.inf, ""))
         self.stops = [last for call in self.missing[:1] if last.t < call.at and not call.gave_up]
 
-        untold = [call for call in responses if not call.own]  # a "no answer" may be about another of them
+        untold = [call for call in responses if not call.own]  # a "no answer" may be about another of these calls
         self.early = [
             (call, one.t - call.t)
             for call in self.expected
@@ -311,35 +311,35 @@ class Results(Run):
         self.nearest = [call.near[0].word for call in self.expected if call.near]
         all_near = len(self.nearest) == len(self.expected)
         self.wrong = [call for call in self.expected if all_near and call.near[0].word != call.word]
-        # both words must be wrong somewhere, because one alone may fit the texts by chance
+        # both words must be wrong somewhere, because one alone may fit the strings by chance
         two_ways = len({call.near[0].word for call in self.wrong}) == 2
         self.follows_text = two_ways and all(c.near[0].word == c.word_of_text for c in self.expected)
         since_wrong = [self.nearest[self.nearest.index(call.near[0].word) :] for call in self.wrong[:1]]
         self.stays = any(len(set(words)) == 1 for words in since_wrong)
 
     def late_at(self, moments: Sequence[float], within_s: float) -> bool:
-        """Return whether each late report came within `within_s` s of one of these moments (s)."""
+        """Return whether each late report came within `within_s` s of one of the times `moments` (s)."""
         return all(any(abs(call.at + delay - t) <= within_s for t in moments) for call, delay in self.late)
 
     @property
     def published(self) -> str:
-        """A clause that says whether "no answer" was published in place of the first missing response's word."""
+        """A clause that states whether "no answer" was published in place of the first missing response's word."""
         call = self.missing[0]
         return f'your node published "{NO_ANSWER}"' if call.gave_up else f'"{call.word}" was not published'
 
     @property
     def left_out(self) -> bool:
-        """Whether only the first missing response is missing.
+        """Whether the first missing report is the only one of its kind (on a slow or a fast response).
 
-        If it was slow, no other one may be missing, and another slow one must be reported. Otherwise, no other fast one
-        may be missing.
+        If that response was slow, no other report at all may be missing, and another slow response must be reported. If
+        it was fast, reports on slow responses may be missing, too.
         """
         told = any(call.was_slow and call.own for call in self.expected)
         return told and len(self.missing) == 1 if self.are_slow[0] else all(self.are_slow[1:])
 
 
 class GivenUp(Run):
-    """The calls without a response, and when the program gave up on each."""
+    """The calls without a response, and the time at which the program gave up on each."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -364,7 +364,7 @@ class GivenUp(Run):
         self.alarm_s = [one.t - call.t for call in self.open_then[:1] for one in self.alarms[:1]]
 
     def answered_meanwhile(self, call: Call, within_s: float) -> list[float]:
-        """Return when (s) other calls were answered, within `within_s` s after this call."""
+        """Return the times (s) of the responses to other calls, within `within_s` s after this call."""
         return [one.at for one in self.responses if call.t < one.at < call.t + within_s]
 
 

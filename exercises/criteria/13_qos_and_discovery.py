@@ -1,4 +1,4 @@
-"""Judge exercise 13: a robot publishes its status before the dashboard starts, and its heart is silent twice."""
+"""Judge exercise 13: a robot publishes its status before the dashboard starts, and its heartbeat pauses twice."""
 
 import math
 import random
@@ -16,7 +16,7 @@ LINE = topic("/dashboard/line", String, hz=2.0)
 ALARM = topic("/dashboard/alarm", Bool)
 WORDS = see.Words(__file__)
 Value = TypeVar("Value")
-Timed = list[tuple[float, Value]]  # messages, and when each came (s)
+Timed = list[tuple[float, Value]]  # messages with their arrival times (s)
 
 WATCH_S = 15.0
 BEAT_S, LINE_S = 0.25, 0.5
@@ -24,23 +24,25 @@ STATUS = see.publish("/robot/status", String, [], qos="latched")
 HEART = see.publish("/robot/heartbeat", String, [], qos="best_effort", deadline=2 * BEAT_S)
 
 STATUS_WORDS = ("operational", "error", "unknown")
-AT_ONCE_S = 1.0  # what was said before must be on the line by then
+AT_ONCE_S = 1.0  # by then, the line must show the status that was published earlier
 FOLLOWS_S = 0.8
 NOT_BEFORE_S, NOT_AFTER_S, SLACK_S = 1.0, 3.0, 0.2
 FALLS_WITHIN_S = 1.5
-EARLY_S = 0.02  # a True that was measured so much too early is no false alarm
-SILENCE_S = 2.0  # a pause between beats that is longer is a silence of the script
+EARLY_S = 0.02  # a True that's early by at most this isn't a false alarm, because times are measured inexactly
+SILENCE_S = 2.0  # a longer pause between heartbeats is one of the script's silences
 SLOWEST_HZ, FASTEST_HZ, LONGEST_GAP_S = 1.8, 2.2, 1.25
 SHORTEST_S, LONGEST_S = 0.45, 0.55
-LASTS_S = FOLLOWS_S + LONGEST_S  # so long a status must be on a line
-NEAR_S = 0.7  # from the last line to the True that a silence of the line goes with
+LASTS_S = FOLLOWS_S + LONGEST_S  # a status that lasts longer must be on a line
+NEAR_S = 0.7  # the most time from the last line to the alarm with which the line stops
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Draw the script of a robot that published before the start. Its heart is silent twice, and one beat is late.
+    """Draw the script of a robot that published before the start.
 
-    A program that checks the time five times a second catches the two silences at different phases. After the second
-    one, there is time to end an alarm.
+    The robot's heartbeat pauses twice, and one heartbeat is late.
+
+    A program that checks the time five times a second detects the two silences at different phases. After the second
+    silence, there is time to end an alarm.
     """
     while True:
         moments = drawn_beats(rng)
@@ -51,7 +53,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
         changes = drawn_changes(rng, silences)
         moments_of_change = [*(at for at, _ in changes[1:]), WATCH_S]
         lasting = [at for at, end in pairwise(moments_of_change) if end - at > LASTS_S]
-        # a program whose line follows late must miss one of these statuses
+        # a program whose line follows late has to miss one of these statuses
         if any(0.2 < (one - other) % LINE_S < 0.3 for one, other in product(lasting, lasting)):
             break
     beats = [(at, f"beat {n + 1}") for n, at in enumerate(moments) if at < WATCH_S - 0.1]
@@ -62,7 +64,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_beats(rng: random.Random) -> list[float]:
-    """Draw the times (s) of the heartbeats: three groups with silences in between, and a late beat (a hiccup).
+    """Draw the times (s) of the heartbeats: three groups with silences in between, and a late heartbeat (a hiccup).
 
     The hiccup is in one of the first two groups. The first group, or its part before the hiccup, lasts longer than a
     second.
@@ -78,10 +80,10 @@ def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -
     """Draw the status from before the start, and the times (s) and words of its changes.
 
     There are too many changes for a program that follows only five. When an alarm is due, the status is "operational"
-    in the first silence and "error" in the second. It stays so until the alarm would be late, and changes before the
-    silence ends. When the alarm has to end, the status is "error" after the first silence, and changes only when the
-    end would be late. After the second silence, it is "operational". In the second silence, it changes so often that a
-    watchdog that counts a status as a beat raises no alarm.
+    in the first silence and "error" in the second. The status stays the same until the alarm would be late, and changes
+    before the silence ends. When the alarm has to end, the status is "error" after the first silence, and changes only
+    when the end would be late. After the second silence, the status is "operational". In the second silence, the status
+    changes so often that a watchdog that counts a status as a heartbeat doesn't raise an alarm.
     """
     (began, ended), (again, at_last) = silences
     changes = [
@@ -102,7 +104,7 @@ def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -
 
 
 def silences_between(moments: Sequence[float]) -> list[tuple[float, float]]:
-    """Return the begin and end (s) of each long time without a beat."""
+    """Return the start and end (s) of each long time without a heartbeat."""
     return [(last, first) for last, first in pairwise(moments) if first - last > SILENCE_S]
 
 
@@ -119,10 +121,10 @@ def between(begin: float, end: float, messages: Timed[Value]) -> Timed[Value]:
 
 
 class FalseAlarm(NamedTuple):
-    """An alarm that was raised `at` a moment (s), only `after` seconds after a beat.
+    """An alarm that was raised at the time `at` (s), only `after` seconds after a heartbeat.
 
-    `first`: how long (s) the heart had been silent when the program raised its first alarm in an earlier silence; 0 if
-    there was none.
+    `first`: how long (s) an earlier silence had lasted when the program raised its first alarm in it, or 0 without such
+    an alarm.
     """
 
     at: float
@@ -131,15 +133,15 @@ class FalseAlarm(NamedTuple):
 
 
 class Status:
-    """A status of the robot, its begin and end (s), and the lines published for it. `number`: counts from 0."""
+    """A status of the robot, its start and end (s), and the lines published for it. `number`: its index, from 0."""
 
     def __init__(self, run: "Run", number: int, begin: float, end: float, word: str) -> None:
         self.run, self.number, self.begin, self.end, self.word = run, number, begin, end, word
-        self.due = begin + FOLLOWS_S if number else AT_ONCE_S  # from then on the line must show it
+        self.due = begin + FOLLOWS_S if number else AT_ONCE_S  # from then on, the line must show the status
         self.lines = between(self.due, end, run.lines)
         before = between(self.due - LONGEST_S, self.due, run.lines)[-1:] if number else []
         judged = [*before, *self.lines] if end - begin > FOLLOWS_S else []
-        # the first line that must show this status, but doesn't, or shows another one as well; and its status words
+        # the first line that must show only this status but doesn't, and the status words in that line
         self.wrong = next((line for line in judged if named(line[1]) != [word]), None)
         self.named = named(self.wrong[1]) if self.wrong else []
 
@@ -148,39 +150,40 @@ class Status:
 
     @property
     def followed(self) -> int:
-        """How many earlier changes the line had shown."""
+        """The number of earlier changes that the line had shown."""
         return sum(bool(one.lines) for one in self.run.statuses[1 : self.number])
 
 
 class Silence:
-    """A long silence of the heart, from the last beat before it to the first one after it (s).
+    """A long silence, from the last heartbeat before it to the first one after it (s).
 
-    `number`: counts from 0.
+    `number`: the silence's index, from 0.
     """
 
     def __init__(self, run: "Run", number: int, began: float, ended: float) -> None:
         self.run, self.number, self.began, self.ended = run, number, began, ended
         self.lasted = ended - began
         alarms = between(began, ended, run.alarms)
-        self.said = [t - began for t, _ in alarms if t - began >= NOT_BEFORE_S]  # when an alarm is allowed
-        self.raised = next((t - began for t, on in alarms if on), math.inf)  # after the last beat
+        self.said = [t - began for t, _ in alarms if t - began >= NOT_BEFORE_S]  # only when an alarm is allowed
+        self.raised = next((t - began for t, on in alarms if on), math.inf)  # counted from the last heartbeat
         self.is_due = run.end >= began + NOT_AFTER_S + SLACK_S
         self.is_in_time = self.raised <= NOT_AFTER_S + SLACK_S
-        # no alarm is missed if the previous silence's alarm has never ended
+        # the alarm isn't missed if the previous silence's alarm never ended
         was_on = number and [on for _, on in between(0.0, began, run.alarms)][-1:] == [True]
         self.is_missed = self.is_due and not self.is_in_time and not (was_on and self.raised == math.inf)
-        # when the alarm was withdrawn during the silence (s), and how long after the last beat this first happened (s)
+        # the times (s) at which the alarm was withdrawn during the silence, and the first of them, counted from the
+        # last heartbeat
         self.falls = [t for t, on in alarms if t > began + self.raised and not on]
         self.fell = [t - began for t in self.falls[:1]]
         self.raised_after = any(on for _, on in between(ended, ended + FALLS_WITHIN_S, run.alarms))
         after = between(ended, run.end, run.alarms)
-        self.taken_back = next((t - ended for t, on in after if not on), math.inf)  # after the next beat
+        self.taken_back = next((t - ended for t, on in after if not on), math.inf)  # counted from the next heartbeat
         limit = FALLS_WITHIN_S + SLACK_S
         self.lasts = self.taken_back > limit and ended + limit <= run.end
 
 
 class Run:
-    """The robot's messages, and the dashboard's messages about them. Times in s."""
+    """The robot's messages, and the dashboard's messages about them. Times are in s."""
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.end = recording, recording.watched_s
@@ -189,11 +192,11 @@ class Run:
         self.alarms: Timed[bool] = [(one.t, bool(one.value.get("data"))) for one in alarm.arrivals]
         self.beats = [one.t for one in see.published(recording, HEART.topic)]
         sent = see.published(recording, STATUS.topic)
-        times = [*(max(0.0, one.t) for one in sent), self.end]  # the first one holds when the watch begins
+        times = [*(max(0.0, one.t) for one in sent), self.end]  # the first status is valid when the watch begins
         self.statuses = [
             Status(self, n, times[n], times[n + 1], str(one.value["data"])) for n, one in enumerate(sent)
         ]
-        silences = silences_between([*self.beats, self.end])  # the end, if no beat comes after the last one
+        silences = silences_between([*self.beats, self.end])  # a last silence lasts until the end of the watch
         self.silences = [Silence(self, n, began, ended) for n, (began, ended) in enumerate(silences)]
 
         # the lines
@@ -208,7 +211,7 @@ class Run:
         begins = [one.began for one in self.silences]
         self.stops_with_the_heart = all(any(abs(last - t) <= BEAT_S for t in begins) for last in lasts)
         near = [(t, beat) for t, _ in self.lines for beat in self.beats if 0.0 <= t - beat <= 2 * EARLY_S]
-        # the number of beats that a line follows right away, and the number of lines that follow no beat
+        # the number of heartbeats that a line follows right away, and the number of lines that don't follow a heartbeat
         prompt, beats = {t for t, _ in near}, {beat for _, beat in near}
         self.with_beats = len(beats), sum(t not in prompt for t, _ in self.lines)
         most = self.with_beats[0] >= 0.8 * len(self.beats)
@@ -217,7 +220,7 @@ class Run:
         self.is_volatile = all(one.durability == "volatile" for one in asked)
         self.is_best_effort = all(one.reliability == "best_effort" for one in asked)
 
-        # the number of changes of the alarm, if each came right after a matching change of the status
+        # the number of changes of the alarm, if each change came right after a matching change of the status
         heard = [(0.0, None), *between(AT_ONCE_S, self.end, self.alarms)]
         changes = [(t, on) for (_, before), (t, on) in pairwise(heard) if on != before]
         begun = [(on, self.just_begun(t, BEAT_S + 2 * EARLY_S)) for t, on in changes]
@@ -231,15 +234,15 @@ class Run:
         return [one.word for one in self.statuses[1:] if 0.0 <= t - one.begin <= within_s]
 
     def false_alarms(self) -> Iterator[FalseAlarm]:
-        """Yield the alarms that were raised while the heart was beating, or too early in a silence."""
+        """Yield the alarms that were raised while heartbeats arrived, or too early in a silence."""
         calm_from = AT_ONCE_S
         for silence in self.silences:
             for t, on in between(calm_from, silence.began + NOT_BEFORE_S - EARLY_S, self.alarms):
                 after = t - max((beat for beat in self.beats if beat <= t), default=0.0)
-                if on and after < NOT_BEFORE_S - EARLY_S:  # on a busy machine, a hiccup may last too long
+                if on and after < NOT_BEFORE_S - EARLY_S:  # on a busy machine, a hiccup may last longer
                     before = [one.raised for one in self.silences if one.ended <= t]
                     yield FalseAlarm(t, after, next(filter(math.isfinite, before), 0.0))
-            # This silence's alarm may last until it's withdrawn. `alarm_falls` judges whether it is.
+            # This silence's alarm may last until it's withdrawn. `alarm_falls` judges whether that happens.
             calm_from = min(self.end, silence.ended + silence.taken_back)
 
 
@@ -356,7 +359,7 @@ def status_follows(recording: Recording) -> Verdict:
         if change.wrong:
             return NOT_FOLLOWED.verdict(change)
     followed = sum(bool(change.lines) for change in changes)
-    if changes and not followed:  # whether lines come all the time, `line_rate` judges
+    if changes and not followed:  # `line_rate` judges whether lines keep coming
         return NO_NEW_LINE.verdict()
     return see.passed(f"the line showed {followed} of {len(changes)} new statuses, and never a wrong one")
 

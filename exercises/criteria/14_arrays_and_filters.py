@@ -587,7 +587,7 @@ def survives_nan(recording: Recording) -> Verdict:
 
 
 def unclear(answers: Answers) -> Verdict | None:
-    """Return a verdict that says why the answers can't be judged; None if they can be.
+    """Return a verdict that says why the answers can't be judged, or None if they can be.
 
     Each answer must have an angle for each joint, and we must know which message it is for.
     """

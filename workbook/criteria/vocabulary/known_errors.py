@@ -53,7 +53,7 @@ _WITH_AN_ERROR = " with an error"
 AN_ERROR_ENDED_IT = f"; the program ended{_WITH_AN_ERROR}"
 """The clause that connects the string `saw` to the error that made the program exit."""
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
-"""Matches the error with which OpenMP ends a process, such as PyTorch's, if the kernel refuses a new thread."""
+"""Matches the error with which OpenMP (used by PyTorch) terminates a process if the kernel refuses a new thread."""
 _EXECUTOR_LEFT = re.compile(
     r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
     + re.escape(TRACEBACK)

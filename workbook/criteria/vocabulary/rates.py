@@ -275,8 +275,7 @@ def topic_pace(recording: Recording, topic: Topic) -> Pace:
 @_of_pace
 @if_all_kept
 def rate(recording: Recording, topic: Topic) -> Verdict:
-    """Check that a topic's mean rate is right within 20 %, and that no silence is longer than one and a half periods.
-    """
+    """Check that a topic's mean rate is off by at most 20 %, and no silence is longer than one and a half periods."""
     rhythm = _Rhythm(recording, topic)
     only, expected = _ONLY(rhythm)
     flooded = flood(recording, topic, expected)
