@@ -12,7 +12,7 @@ WORDS = see.Words(__file__)
 NODE = "/night_guard"
 PARKED = "arms parked"  # compared in lowercase, because the program may log it in any case
 LEAST_ROUNDS = 4  # of the eight rounds that are due; the task states it
-RAISED_BY_SPIN = ("ExternalShutdownException", "RCLError", "InvalidHandle")  # when the context has been shut down
+RAISED_BY_SPIN = ("ExternalShutdownException", "RCLError", "InvalidHandle")  # after the context was shut down
 LONGEST_QUOTE = 60  # characters of a log line that feedback quotes
 LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task states it
 

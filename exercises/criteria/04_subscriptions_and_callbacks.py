@@ -151,7 +151,7 @@ class Readings:
     """
 
     def __init__(self, readings: Sequence[float], sent_at: Sequence[float], others: Sequence[float]) -> None:
-        self.readings, self.sent_at, self.others = readings, sent_at, others  # others: the other robot's readings
+        self.readings, self.sent_at, self.others = readings, sent_at, others  # others: of the other robot
         self.good_places = [n for n, one in enumerate(readings) if is_good(one)]
         self.bad_places = [n for n, one in enumerate(readings) if not is_good(one)]
         self.good = good = [readings[n] for n in self.good_places]
@@ -331,7 +331,7 @@ class Forwarded(Answers):
         count = min(self.lost, default=len(self.sent_at))  # the later readings are missing
         self.are_late = len(self.long_delays) > (1.0 - SHARE_AT_ONCE) * count
         apart = [after - before > APART_S / 2 for before, after in pairwise(self.arrived_at)]
-        self.in_groups = 3 * sum(apart) < len(self.arrived_at)  # most readings arrived at the same time as another one
+        self.in_groups = 3 * sum(apart) < len(self.arrived_at)  # most readings came along with another one
 
         relay = see.Relay(sent, self.good)
         self.never_sent, self.repeated, self.misplaced = relay.strange, relay.repeated, relay.misplaced

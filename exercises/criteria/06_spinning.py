@@ -52,7 +52,7 @@ LEAST_SHARE = 0.8  # of the heartbeats that are due
 LEAST_BEATS = LEAST_SHARE * ASKED_S[BURST] / HEARTBEAT_PERIOD_S
 LONGEST_SILENCE_S = 0.3
 PROCESSOR_SHARE = 0.12
-SHARE_WITH_TIMERS = 0.4  # correct functions use up to a tenth of a processor; one that never waits uses all of it
+SHARE_WITH_TIMERS = 0.4  # of a processor: a correct function uses up to 0.1, one that never waits 1.0
 
 DELAY_S = 1.5  # longer than a message takes to arrive, even on a busy machine
 A_FEW_BEATS = 3  # fewer heartbeats may be chance

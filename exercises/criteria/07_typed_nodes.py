@@ -206,7 +206,7 @@ class Use:
                 self.ends[call] = end
         self.word_end = self.ends.get(GOOD_WORD)
         self.message_end = self.ends.get(GOOD_MESSAGE, "returned")
-        self.has_publisher = not self.message_end.startswith("AttributeError")  # otherwise, another criterion fails
+        self.has_publisher = not self.message_end.startswith("AttributeError")  # else another criterion fails
 
         self.levels = see.values(recording, BATTERY)
         self.words = see.values(recording, STATUS)

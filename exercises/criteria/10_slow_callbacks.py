@@ -205,7 +205,7 @@ class Planning:
         self.strange = next((plan for plan in self.made if math.isnan(plan.of)), None)  # fits no request
         self.soon = [plan for plan in self.made if plan.after < SOONEST_S]
         self.guesses = [plan for plan in self.soon if plan.off_by > SEARCHING_RAD]
-        self.off = [plan for plan in self.made if TOLERANCE_RAD < plan.off_by < math.inf]  # close, but not right
+        self.off = [plan for plan in self.made if TOLERANCE_RAD < plan.off_by < math.inf]  # nearly right
         self.exact = [one for one in self.off if abs(one.bend - bend_for(one.of)) < TOLERANCE_RAD / 2.0]
         # the typical time (s) between plans, or 0 if there are too few plans
         self.apart_s = statistics.median([plan.apart for plan in self.made[1:]] if count > 2 else [0.0])

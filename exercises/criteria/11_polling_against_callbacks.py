@@ -80,7 +80,7 @@ class Touches:
 
     def __init__(self, recording: Recording) -> None:
         self.recording, self.in_line_s = recording, recording.in_line_s
-        script = see.script(recording, TOUCH)  # including the touches that were still due when the program exited
+        script = see.script(recording, TOUCH)  # including touches that were still due when the program exited
         self.sent = [one.value["data"] for one in script]
         self.came = [(one.value["data"], one.wall) for one in see.published(recording, TOUCH)]
         arrivals = recording.topic(SEEN.name).arrivals

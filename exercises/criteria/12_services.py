@@ -59,7 +59,7 @@ WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 LEAST_CALLS = 4  # the fourth call is the first one that may get no response
 SHORTEST_PERIOD_S, LONGEST_PERIOD_S = 0.9, 1.1
 LONGEST_PAUSE_S = 2.5  # after a call without a response
-PAUSE_S, PAUSES = 1.4, 1  # after other calls: the longest usual pause, and the number of longer pauses that we accept
+PAUSE_S, PAUSES = 1.4, 1  # after other calls: the longest usual pause, and how many longer ones we accept
 TOLD_WITHIN_S, BELONGS_S = 0.8, 1.6  # a later report counts as the report of another response
 LATER_ONCE_S = BELONGS_S - TOLD_WITHIN_S
 MAY_TAKE_S, GIVEN_UP_WITHIN_S = 0.8, 2.0
@@ -116,7 +116,7 @@ class Call:
         last = end - TOLD_WITHIN_S - LONG_SLACK_S  # a report may be missing at the edges of the watch
         self.may_be_missing = self.t < EARLY_S or self.took_s > MAY_COME_UNTIL_S or self.at > last
         self.near: Sequence[Report] = ()  # the reported results that may belong to its response
-        self.gave_up: Sequence[Report] = ()  # each "no answer" that was reported although the call got a response
+        self.gave_up: Sequence[Report] = ()  # each "no answer" that came in spite of a response
 
     @property
     def own(self) -> list[Report]:
@@ -195,7 +195,7 @@ class Ending(Run):
         self.since_response_s = max((self.end - call.at for call in self.last), default=0.0)
         self.reported = any(report.t >= call.at for call in self.last for report in self.reports)
         ends = [topic.arrivals[-1].t for topic in recording.with_publishers() if topic.arrivals]
-        self.is_alive = max(ends, default=0.0) > self.end - 1.0  # the program published a message in the last second
+        self.is_alive = max(ends, default=0.0) > self.end - 1.0  # a message came in the last second
 
 
 class Pauses(Run):
@@ -272,7 +272,7 @@ class Results(Run):
         last = max(results, default=Report(math.inf, ""))
         self.stops = [last for call in self.missing[:1] if last.t < call.at and not call.gave_up]
 
-        untold = [call for call in responses if not call.own]  # a "no answer" may be about another of these calls
+        untold = [call for call in responses if not call.own]  # a "no answer" may be about another such call
         self.early = [
             (call, one.t - call.t)
             for call in self.expected

@@ -28,7 +28,7 @@ AT_ONCE_S = 1.0  # by then, the line must show the status that was published ear
 FOLLOWS_S = 0.8
 NOT_BEFORE_S, NOT_AFTER_S, SLACK_S = 1.0, 3.0, 0.2
 FALLS_WITHIN_S = 1.5
-EARLY_S = 0.02  # a True that's early by at most this isn't a false alarm, because times are measured inexactly
+EARLY_S = 0.02  # a True that's early by at most this isn't a false alarm, because times are inexact
 SILENCE_S = 2.0  # a longer pause between heartbeats is one of the script's silences
 SLOWEST_HZ, FASTEST_HZ, LONGEST_GAP_S = 1.8, 2.2, 1.25
 SHORTEST_S, LONGEST_S = 0.45, 0.55
@@ -164,7 +164,7 @@ class Silence:
         self.run, self.number, self.began, self.ended = run, number, began, ended
         self.lasted = ended - began
         alarms = between(began, ended, run.alarms)
-        self.said = [t - began for t, _ in alarms if t - began >= NOT_BEFORE_S]  # only when an alarm is allowed
+        self.said = [t - began for t, _ in alarms if t - began >= NOT_BEFORE_S]  # when an alarm is allowed
         self.raised = next((t - began for t, on in alarms if on), math.inf)  # counted from the last heartbeat
         self.is_due = run.end >= began + NOT_AFTER_S + SLACK_S
         self.is_in_time = self.raised <= NOT_AFTER_S + SLACK_S
@@ -177,7 +177,7 @@ class Silence:
         self.fell = [t - began for t in self.falls[:1]]
         self.raised_after = any(on for _, on in between(ended, ended + FALLS_WITHIN_S, run.alarms))
         after = between(ended, run.end, run.alarms)
-        self.taken_back = next((t - ended for t, on in after if not on), math.inf)  # counted from the next heartbeat
+        self.taken_back = next((t - ended for t, on in after if not on), math.inf)  # since the next heartbeat
         limit = FALLS_WITHIN_S + SLACK_S
         self.lasts = self.taken_back > limit and ended + limit <= run.end
 
@@ -192,11 +192,11 @@ class Run:
         self.alarms: Timed[bool] = [(one.t, bool(one.value.get("data"))) for one in alarm.arrivals]
         self.beats = [one.t for one in see.published(recording, HEART.topic)]
         sent = see.published(recording, STATUS.topic)
-        times = [*(max(0.0, one.t) for one in sent), self.end]  # the first status is valid when the watch begins
+        times = [*(max(0.0, one.t) for one in sent), self.end]  # the first status is valid at the start
         self.statuses = [
             Status(self, n, times[n], times[n + 1], str(one.value["data"])) for n, one in enumerate(sent)
         ]
-        silences = silences_between([*self.beats, self.end])  # a last silence lasts until the end of the watch
+        silences = silences_between([*self.beats, self.end])  # a last silence lasts until the watch ends
         self.silences = [Silence(self, n, began, ended) for n, (began, ended) in enumerate(silences)]
 
         # the lines

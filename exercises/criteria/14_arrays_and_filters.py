@@ -1,4 +1,8 @@
-"""Judge exercise 14 by twelve noisy joints whose true angles are known, and by the filter's output for them."""
+"""Judge exercise 14 by the filter's output for twelve noisy joints whose true angles are known.
+
+An *answer* is a message that the student's filter publishes. A *start* is the first message after the board is switched
+on.
+"""
 
 import math
 import random
@@ -24,29 +28,29 @@ JOINTS = (
 PERIOD_S = 0.05  # 20 messages a second
 NOISE_RAD = 0.02
 LARGEST_NOISE_RAD = 0.05
-MOST_NOISE = 0.55  # of what came in, all joints together
-MOST_NOISE_OF_ONE = 0.8  # of a single joint
+MOST_NOISE = 0.55  # the fraction of the noise that may be left, for all joints together
+MOST_NOISE_OF_ONE = 0.8  # the same for a single joint
 LONGEST_DELAY_S = 0.27
-LONGEST_DELAY_OF_ONE_S = 0.32  # of a single joint, whose noise blurs it
-NEAR_RAD = 0.1  # so near is an angle to the joint at a start, and while NaN comes
+LONGEST_DELAY_OF_ONE_S = 0.32  # for a single joint, whose noise makes the measurement inexact
+NEAR_RAD = 0.1  # the most that an angle may differ from the joint's at a start, and while NaNs arrive
 AT_ONCE_S = 0.5
-SHARE_AT_ONCE = 0.9  # of the messages: the others may have been kept waiting by a busy machine
+SHARE_AT_ONCE = 0.9  # of the messages, because a busy machine may delay the others
 TYPICALLY_S = 0.15
-LEAST_CHANGE_RAD = 0.005  # root mean square, between what comes in and what goes out: less is no filter
-SAME_RAD = 0.001  # root mean square: the same angle, but for rounding
-NEARLY_ALL = 0.95  # of the noise: a filter that leaves more removes nothing
-WIDE_GAP = 1.4  # from the noise left at one joint to that at the next: they are not filtered alike
-RARELY = 0.6  # share of answers that are those before: a filter changes each of them
-MORE_THAN_ALL = 1.2  # of the noise: no weak filter leaves so much, something else is added
-FOLLOWS_RAD = 0.3  # so near is an angle to a joint that has moved on after NaN
-FAR_BEHIND_S = 0.4  # a filter so late would be farther away than that by itself
-STARTING = 8  # messages after a start that must be near
-SETTLED = 20  # messages after a start or a movement until noise and delay are measured
+LEAST_CHANGE_RAD = 0.005  # root mean square, between input and output: below that, nothing is filtered
+SAME_RAD = 0.001  # root mean square: the same angle, except for rounding
+NEARLY_ALL = 0.95  # of the noise: if more is left, the filter doesn't remove noise
+WIDE_GAP = 1.4  # the ratio of the noise left at two joints that shows that they aren't filtered alike
+RARELY = 0.6  # fraction of answers that equal the previous one: a filter changes each answer
+MORE_THAN_ALL = 1.2  # of the noise: even a weak filter doesn't leave that much, so the program adds an error
+FOLLOWS_RAD = 0.3  # the most that an angle may differ from that of a joint that has moved on after a NaN
+FAR_BEHIND_S = 0.4  # a filter that lags by more would exceed `FOLLOWS_RAD` even without a NaN
+STARTING = 8  # the number of messages after a start whose answers must be near
+SETTLED = 20  # the number of messages after a start or a movement before noise and delay are measured
 
 # The joints' first angles (rad), their speeds (rad/s), and their turns (rad) during the two times when the board is
-# off. The first time, one joint turns only a little, and the second time, all of them do, because the stamp shows a
-# restart, not a jump. Most joints stand between two multiples of 0.1 rad: at a multiple, rounding would remove all the
-# noise.
+# off. The first time, one joint turns only a little, and the second time, all joints do, because a program has to
+# detect a restart by the stamp, not by a jump. Most joints stand between two multiples of 0.1 rad, because at a
+# multiple, rounding would remove all the noise.
 FIRST_POSE = (0.54, -0.65, 1.23, 0.94, -1.15, 0.86, -0.73, 1.05, -0.46, 0.64, -0.95, 0.77)
 SPEEDS = (0.5, -0.4, 0.5, 0.4, -0.5, 0.5, -0.4, 0.4, -0.5, 0.5, -0.4, 0.5)
 TURNED = (
@@ -57,13 +61,13 @@ STANDS, MOVES, STANDS_AGAIN, MOVES_BACK, AFTER_RESTART, AFTER_SECOND = 46, 34, 4
 STILL_UNTIL = STANDS + MOVES + STANDS_AGAIN
 RESTART = STILL_UNTIL + MOVES_BACK
 RESTART_AGAIN = RESTART + AFTER_RESTART
-MESSAGES = RESTART_AGAIN + AFTER_SECOND  # a prime number, so answers in groups leave a remainder
+MESSAGES = RESTART_AGAIN + AFTER_SECOND  # a prime number, so that answers in groups leave a remainder
 STARTS = (range(RESTART), range(RESTART, RESTART_AGAIN), range(RESTART_AGAIN, MESSAGES))
-# After a restart, each stamp's fraction is above that of the last stamp before it (47.65 s and 2.50 s).
+# After a restart, the first stamp's fraction is above that of the last stamp before the restart (47.65 s and 2.50 s).
 START_STAMPS_MS = (40_000, 750, 560)
 SECOND_IN_A_ROW = STANDS + MOVES + 31
 NAN_AT: Mapping[int, tuple[int, ...]] = {
-    # a message's place: the joints whose encoder returns NaN in it
+    # a message's place: the joints whose encoder returns NaN in that message
     STANDS + MOVES + 24: (3,),
     STANDS + MOVES + 30: (0, 7),
     SECOND_IN_A_ROW: (0, 7),
@@ -74,7 +78,7 @@ NAN_AT: Mapping[int, tuple[int, ...]] = {
 
 @dataclass(frozen=True)
 class Sample:
-    """One message of the encoders: its place in the script, and the true and the measured angles (rad)."""
+    """One message from the encoders: its place in the script, and the true and the measured angles (rad)."""
 
     place: int
     stamp: see.Stamp
@@ -113,7 +117,7 @@ PLACE_OF = {sample.stamp: sample.place for sample in SAMPLES}
 STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, RESTART_AGAIN - 4)
 STEADY = (*STEADY_FIRST, *STEADY_LAST)
 WITH_NAN = range(min(NAN_AT), STILL_UNTIL)
-MOVED_ON = RESTART - 5  # the answers just before the restart may be mixed with what came after it
+MOVED_ON = RESTART - 5  # the answers just before the restart may be mixed with later messages
 MOVING, MOVING_BACK = range(STANDS + SETTLED, STANDS + MOVES), range(STILL_UNTIL + SETTLED, MOVED_ON + 1)
 
 BEGIN_S = 0.5
@@ -129,7 +133,7 @@ WATCH = watching(
 
 
 class Answer:
-    """One answer, with angles in rad. `place`: the place of its message; by default, we look up its stamp.
+    """One answer, with angles in rad. `place`: the place of the answered message; by default, we look up the stamp.
 
     The attribute `place` is None if no message has that stamp.
     """
@@ -167,8 +171,8 @@ class Answers:
         arrivals = [one for one in recording.topic(FILTERED.name).arrivals if isinstance(one.value, dict)]
         self.has_ended = recording.process.ended_by == "itself"
         self.recording, self.came = recording, [Answer(arrival) for arrival in arrivals]
-        # If the stamps don't show which message an answer is for, its order does. This requires one answer per message,
-        # at least until the program ended.
+        # If the stamps don't show which message an answer is for, the answers' order does. This requires one answer per
+        # message, at least until the program exited.
         places, sent = {answer.place for answer in self.came}, len(see.published(recording, RAW.name))
         ended_early = self.has_ended and len(self.came) < sent
         stamps_tell = None not in places and len(places) > 1
@@ -184,14 +188,14 @@ class Answers:
         return [name for name, angle, measured in found if not abs(angle - measured) <= SAME_RAD]
 
     def far_at(self, place: int, limit_rad: float) -> list[Far]:
-        """Return the angles in the answer to this message that are more than `limit_rad` from the true ones."""
+        """Return the angles in the answer to this message that differ from the true ones by more than `limit_rad`."""
         sample, angles = SAMPLES[place], self.by_place[place].angles
         found = [Far(sample, angles, *one) for one in zip(JOINTS, sample.truth, angles, strict=True)]
         return [far for far in found if not abs(far.angle - far.truth) <= limit_rad]
 
     @cached_property
     def begins_again_each_second(self) -> bool:
-        """Whether the filter is reset whenever nanosec restarts at 0, and at no other judged message."""
+        """Whether the filter is reset whenever `nanosec` restarts at 0, and at no other judged message."""
         known = [place for place in range(1, STILL_UNTIL) if place in self.by_place and place not in NAN_AT]
         unfiltered = [place for place in known if not self.changed_at(place)]
         return bool(unfiltered) and unfiltered == [place for place in known if SAMPLES[place].stamp[1] == 0]
@@ -219,7 +223,7 @@ class Labels:
 
 
 class Order:
-    """Which messages were answered, in which order, and how soon (s)."""
+    """The messages that were answered, the order of the answers, and their delays (s)."""
 
     def __init__(self, answers: Answers) -> None:
         by_place, sent = answers.by_place, see.published(answers.recording, RAW.name)
@@ -236,13 +240,13 @@ class Order:
         waited = [by_place[at].t - one.t for at, one in enumerate(sent) if at in by_place]
         self.waits = see.Waits(waited, AT_ONCE_S)
         self.is_late = self.waits.typical_s > TYPICALLY_S or self.waits.are_late(SHARE_AT_ONCE)
-        # Simulated time waits for a callback that sleeps or computes, so only real time tells.
+        # Simulated time waits for a callback that sleeps or computes, so only real time shows the delay.
         arrivals = answers.recording.topic(FILTERED.name).arrivals
         self.took_s = mean([answer.published - one.wall for one, answer in zip(sent, arrivals, strict=False)])
 
 
 def mean(numbers: Sequence[float]) -> float:
-    """Return the mean; NaN if there are no numbers."""
+    """Return the mean, or NaN if there are no numbers."""
     return sum(numbers) / len(numbers) if numbers else math.nan
 
 
@@ -258,10 +262,10 @@ class Joint:
         changes = [angle - sample.measured[at] for sample, angle in zip(answered, angles, strict=True)]
         self.name, self.truth, self.angle = JOINTS[at], sent[0].truth[at], mean(angles)
         self.error, self.off = mean(errors), abs(mean(errors))
-        self.change = root_mean_square(changes)  # made by the filter
+        self.change = root_mean_square(changes)  # the change that the filter makes
         self.noise_in = root_mean_square([sample.measured[at] - sample.truth[at] for sample in sent])
         self.noise_out = root_mean_square(errors)
-        self.noise = self.noise_out / self.noise_in  # the share that is left
+        self.noise = self.noise_out / self.noise_in  # the fraction that's left
         self.is_held = bool(angles) and max(angles) - min(angles) <= SAME_RAD
         self.speed = (sent[-1].truth[at] - self.truth) / (PERIOD_S * (len(sent) - 1))  # rad/s
         self.delay = -self.error / self.speed if self.speed else 0.0  # s
@@ -279,7 +283,7 @@ class Section:
         self.begin, self.recording = sent[0], answers.recording
         self.all_far = [far for place in self.known for far in answers.far_at(place, NEAR_RAD)]
 
-        # how far from the joints the answers are, on average
+        # the answers' average distances from the joints' true angles
         joints, errors = self.joints, [joint.error for joint in self.joints]
         self.finite = all(map(math.isfinite, errors))
         self.latest = max(joints, key=lambda joint: joint.delay)
@@ -293,8 +297,8 @@ class Section:
         self.gain = sum(one.angle * one.truth for one in joints) / sum(one.truth**2 for one in joints)
         allowed = LARGEST_NOISE_RAD * max(1.0, abs(self.gain))
         self.is_scaled = max(abs(one.angle - self.gain * one.truth) for one in joints) <= allowed
-        # The answers' delay (s), over all joints. A fast joint shows the delay better than a slow one, so it counts
-        # more.
+        # The answers' delay (s), over all joints. A fast joint counts more, because it shows the delay better than a
+        # slow one.
         weight = sum(one.speed**2 for one in joints)
         self.delay = sum(-one.error * one.speed for one in joints) / (weight or math.inf)
         is_late = self.delay > LONGEST_DELAY_S or self.latest.delay > LONGEST_DELAY_OF_ONE_S
@@ -307,9 +311,9 @@ class Section:
         self.stands_still = sum(same) > RARELY * len(same) or 2 * len(self.held) > len(JOINTS)
         # `survives_nan` judges a joint that stands still after a NaN.
         self.is_late = is_late and self.enough and self.finite and not self.held
-        # the share of the noise that is left
+        # the fraction of the noise that's left
         noise_out, noise_in = [one.noise_out for one in joints], [one.noise_in for one in joints]
-        self.noise = root_mean_square(noise_out) / root_mean_square(noise_in)  # the share that is left
+        self.noise = root_mean_square(noise_out) / root_mean_square(noise_in)
         self.noisiest = max(joints, key=lambda joint: joint.noise)
         is_low = self.noise <= MOST_NOISE and self.noisiest.noise <= MOST_NOISE_OF_ONE
         self.is_calm = self.enough and is_low
@@ -320,9 +324,9 @@ class Section:
 
     @property
     def gap(self) -> tuple[int, float, float] | None:
-        """The widest gap in the joints' remaining noise, if only the joints below the gap are filtered; None otherwise.
+        """The widest gap in the joints' remaining noise, or None if it doesn't separate filtered joints from others.
 
-        The result is the number of joints below the gap, and the noise shares at its two ends.
+        The result is the number of joints below the gap, and the fractions of noise at the gap's two ends.
         """
         order = sorted(joint.noise for joint in self.joints)
         count = max(range(1, len(order)), key=lambda place: order[place] / order[place - 1])
@@ -332,19 +336,19 @@ class Section:
 
 
 class AfterNan:
-    """The answers since the first NaN was sent."""
+    """The answers to the messages from the first NaN on."""
 
     def __init__(self, answers: Answers) -> None:
         by_place, forth = answers.by_place, answers.forth
         self.section = Section(answers, WITH_NAN)
         since = [place for place in range(WITH_NAN[0], RESTART) if place in by_place]
-        # the messages whose answers have a NaN or infinity
+        # the messages whose answers contain NaN or infinity
         bad = [place for place in since if not all(map(math.isfinite, by_place[place].angles))]
         self.bad = [SAMPLES[place] for place in bad]
         self.last_bad = self.bad[-1] if bad else None
         self.never_leaves = bool(bad) and bad[-1] == since[-1]
-        # the joint that is farthest from its answer after it has moved on, unless the filter was slow even before the
-        # NaN
+        # the joint whose answer is farthest off after the joint has moved on, unless the filter was slow even before
+        # the NaN
         follows = MOVED_ON in by_place and forth.enough and forth.delay <= FAR_BEHIND_S
         far = answers.far_at(MOVED_ON, FOLLOWS_RAD) if follows else []
         self.lost = max(far, key=lambda one: abs(one.angle - one.truth), default=None)
@@ -354,13 +358,13 @@ class Start:
     """The answers to the first messages after a start. A few of these messages may have no answer."""
 
     def __init__(self, recording: Recording, number: int) -> None:
-        self.answers, self.number = ANSWERS(recording), number  # of the restart; 0 at first
+        self.answers, self.number = ANSWERS(recording), number  # the restart's number, or 0 at the start
         first = STARTS[number][0]
         known = [at for at in range(first, first + SETTLED) if at in self.answers.by_place][:STARTING]
         enough = 2 * len(known) >= STARTING
         self.section = Section(self.answers, known if enough else range(first, first + STARTING))
         changed = self.answers.changed_at(first) if first in known else []
-        # the joints whose filter isn't reset although others' filters are
+        # the joints whose filters aren't reset although other joints' filters are
         self.old = changed if len(changed) < len(JOINTS) else []
         far_places = {far.sample.place for far in self.section.all_far}
         self.only_first_far = known == [*STARTS[number][:STARTING]] and far_places == {first}
@@ -369,7 +373,7 @@ class Start:
     def on_the_way_from(self) -> str:
         """The name of the pose from which the first far answer is moving toward the joints.
 
-        It is "zeros", "before" (the pose before a restart), or "elsewhere" if neither fits.
+        The name is "zeros", "before" (the pose before a restart), or "elsewhere" if neither pose fits.
         """
         poses = {"zeros": (0.0,) * len(JOINTS)}
         if self.number > 0:
@@ -381,7 +385,7 @@ class Start:
 def misfit_of(far: Far, pose: Sequence[float]) -> float:
     """Return an answer's distance (rad, root mean square) from the straight line from the joints to a pose.
 
-    The result is infinite if the answer isn't on the pose's side of the joints.
+    The result is infinity if the answer isn't on the pose's side of the joints.
     """
     ways = [(angle - at, end - at) for angle, at, end in zip(far.angles, far.sample.truth, pose, strict=True)]
     part = sum(off * way for off, way in ways) / sum(way * way for _, way in ways)
@@ -589,7 +593,7 @@ def survives_nan(recording: Recording) -> Verdict:
 def unclear(answers: Answers) -> Verdict | None:
     """Return a verdict that says why the answers can't be judged, or None if they can be.
 
-    Each answer must have an angle for each joint, and we must know which message it is for.
+    Each answer must have an angle for each joint, and we must know the message that it answers.
     """
     if any(len(answer.angles) != len(JOINTS) for answer in answers.placed):
         return see.not_judged("some answers don't have an angle for each joint")
@@ -607,5 +611,5 @@ def off_and_rounded(answers: Answers) -> Verdict | None:
 
 
 def begins(start: Start, rules: see.Rules[Start]) -> Verdict:
-    """Check that the angles are near the joints after a start. `rules`: the causes if they aren't."""
+    """Check that the angles are near the joints' after a start. `rules`: the causes if they aren't."""
     return TOO_FEW["near"].first(start.section) or rules.first(start) or IS_NEAR

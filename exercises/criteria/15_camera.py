@@ -1,4 +1,4 @@
-"""Judge exercise 15: the judge is the camera, knows where the ball is, and compares the published directions."""
+"""Judge exercise 15: the judge publishes the camera's images and compares the program's directions with the ball's."""
 
 import cmath
 import math
@@ -22,42 +22,43 @@ DIRECTION = topic("/robot/ball_direction", Vector3Stamped)
 
 RATE_HZ, BEGIN_S, PICTURES = 30.0, 0.5, 195
 FOCAL_PIXELS = 140.0
-CENTER = complex(79.5, 59.5)  # the column and row that are straight ahead
+CENTER = complex(79.5, 59.5)  # the column and row of the direction straight ahead
 BALL_RADIUS_M = 0.04
 WITHIN_DEG, LENGTH_SLACK, LEAST_SHARE = 1.0, 0.02, 0.8
 TYPICALLY_S, AT_ONCE_S, SHARE_AT_ONCE = 0.1, 0.4, 0.9
-NEAR_DEG = 2.5  # a wrong direction so near another object probably points to it
-MOST = 0.6  # this share of the wrong directions must look like a cause
-SURE = 0.9  # as MOST, for a cause that a single direction does not show
-LEAST_KNOWN = 0.2  # of some images, to judge their directions; ten answers a second are more
-SOME = 0.05  # of the balls: a program that finds fewer publishes (0, 0, 0) whatever there is
-BRIGHT, PADDING = 0.7, 32  # good light; unused bytes behind each row
+NEAR_DEG = 2.5  # a wrong direction this close to another object probably points to that object
+MOST = 0.6  # the fraction of the wrong directions that must fit a cause
+SURE = 0.9  # as MOST, for a cause that a single direction can't show
+LEAST_KNOWN = 0.2  # of some images, for judging their directions; ten answers a second are more
+SOME = 0.05  # of the balls: a program that finds fewer publishes (0, 0, 0) for every image
+BRIGHT, PADDING = 0.7, 32  # good light; unused bytes after each row
 KNOWN, REFUSED = ("rgb8", "bgr8"), ("rgba8", "mono16", "8UC3")
 NOISE = 2715  # the seed of the images' noise
 
 # The brick's position (m: forward, left) and its turn (rad). In the image, the brick is larger or smaller than the
-# ball, and above or below it.
+# ball, and above or below the ball.
 NEAR, FAR, IN_FRONT = (1.02, 0.5, 0.0), (1.5, 0.5, 0.0), (0.7, -0.35, -0.4)
-# The ball rolls near the middle, or crosses the image and comes nearer, or isn't there.
+# The ball rolls near the middle, crosses the image and comes nearer, or isn't there.
 ROLLS, ACROSS, NO_BALL = "rolls", "across", ""
-ROLLING = 2.2  # how fast it rolls back and forth (rad/s)
+ROLLING = 2.2  # the angular frequency (rad/s) with which the ball rolls back and forth
 
 
 Part = tuple[int, Sequence[str], int, str, float, tuple[float, float], tuple[float, float, float]]
 """Some images of one kind: their number, the encodings in turn, each row's padding (bytes), and the ball's motion.
 
-Then come the phase of that motion in the first image (rad), the light in the first and the last image, and the brick.
+The remaining items are the phase of that motion in the first image (rad), the light in the first and the last image,
+and the brick.
 """
 
 
 def parts(dice: random.Random) -> tuple[list[Part], float]:
     """Draw the parts of one run, in order, and the side from which the ball rolls across (1: from the right).
 
-    All kinds of images except padding come before the first encoding to refuse, so a node that crashes there has shown
-    the rest. Encodings to refuse come more than a second apart, because the node may throttle its log lines. They don't
-    come at a whole second, because even a stamp without its nanoseconds would identify such an image. The ball jumps
-    when dim light or bgr8 begins. Otherwise, it continues near its last position, so a search near the last ball finds
-    it.
+    All kinds of images except those with padding come before the first encoding to refuse, so that a node that crashes
+    there has answered the other kinds. Encodings to refuse come more than a second apart, because the node may throttle
+    its log lines. They don't come at a whole second, because even a stamp without its nanoseconds would identify such
+    an image. The ball jumps when dim light or bgr8 begins. Otherwise, the ball continues near its last position, so
+    that a search near that position finds it.
     """
     longer = dice.randint(-2, 2), dice.randint(-2, 2), dice.randint(-4, 0)
     refused, by_turns = dice.sample(REFUSED, len(REFUSED)), dice.sample(KNOWN, len(KNOWN))
@@ -85,7 +86,7 @@ def parts(dice: random.Random) -> tuple[list[Part], float]:
 
 
 def views(dice: random.Random) -> list[CameraView]:
-    """Draw all images of one run. The balls roll, the hands move, and the brick lies next to them."""
+    """Draw all images of one run. The balls roll, the hands move, and the brick next to them shifts a little."""
     chosen, side = parts(dice)
     first_s, nearer, aside = dice.randrange(300, 900), dice.uniform(-0.9, 0.1), dice.uniform(-0.04, 0.01)
     made: list[CameraView] = []
@@ -140,13 +141,13 @@ class Vector(NamedTuple):
     def pixel(self) -> complex:
         """The pixel of this direction in the pinhole model: right of (real) and below (imaginary) the image's center.
 
-        It is NaN for a direction that doesn't point forward.
+        The pixel is NaN for a direction that doesn't point forward.
         """
         x, y, z = self
         return complex(FOCAL_PIXELS * x / z, FOCAL_PIXELS * y / z) if z > 0.0 else complex(math.nan, math.nan)
 
     def off_deg(self, other: "Vector") -> float:
-        """Return the angle (°) to another direction; infinity if one of them isn't a direction."""
+        """Return the angle (°) to another direction, or infinity if one of the two isn't a direction."""
         (a, b, c), (x, y, z) = self, other
         dot, cross = a * x + b * y + c * z, (b * z - c * y, c * x - a * z, a * y - b * x)
         known = math.isfinite(dot) and self.length > 0.0 and other.length > 0.0
@@ -162,13 +163,13 @@ def apart(one: complex, other: complex) -> float:
 
 
 def share(fits: Iterable[bool]) -> float:
-    """Return the share of true values; 0 if there are no values."""
+    """Return the fraction of true values, or 0 if there are no values."""
     known = list(fits)
     return sum(known) / max(len(known), 1)
 
 
 class Images:
-    """The images of one run. Each is identified by its place, from 0."""
+    """The images of one run. Each image is identified by its place, from 0."""
 
     def __init__(self, views: Sequence[CameraView]) -> None:
         self.views, scenes = views, [view.scene for view in views]
@@ -203,19 +204,19 @@ def drawn(seed: int) -> Images:
 
 
 class Direction:
-    """One published direction, and the image that has its stamp. `sent_at`: when each image was sent (s)."""
+    """One published direction, and the image with the same stamp. `sent_at`: the times at which images were sent."""
 
     def __init__(self, images: Images, sent_at: Sequence[float], message: see.Arrival) -> None:
         stamp, vector = see.Stamp.of(message.value), message.value["vector"]
         place = images.places.get(stamp, -1)
-        place = place if place < len(sent_at) else -1  # no image has this stamp
+        place = place if place < len(sent_at) else -1  # -1: no sent image has this stamp
         self.images, self.place, self.number = images, place, place + 1
         self.waited = message.published - sent_at[place] if place >= 0 else math.nan  # s
         self.stamp_s = stamp.seconds
         self.vector = vector = Vector(*(float(vector[axis]) for axis in "xyz"))
         self.encoding, self.padding = self.kind = images.kinds[place]
         scene = images.views[place].scene
-        self.light, self.brick_m = scene.light, scene.boxes[0].at[0]  # the brick lies so far forward
+        self.light, self.brick_m = scene.light, scene.boxes[0].at[0]  # the brick's distance forward
         self.ball, self.width = images.balls.get(place, NOWHERE), images.widths.get(place, 0.0)
         self.off, self.length = vector.off_deg(self.ball), vector.length
         self.away = f", {self.off:.2f}° away from it" if math.isfinite(self.off) else ""
@@ -230,19 +231,19 @@ class Direction:
         return self.vector.off_deg(self.images.balls.get(self.place - images, NOWHERE)) <= 0.4
 
     def is_by_the_row_alone(self) -> bool:
-        """Return whether the elevation is the arctangent of the row alone, and the azimuth that of the column."""
+        """Return whether the elevation is the arctangent of the row alone, and the azimuth that of the column alone."""
         yaw, pitch = math.atan(self.ball.x / self.ball.z), math.atan(self.ball.y / self.ball.z)
         lower = Vector(math.sin(yaw) * math.cos(pitch), math.sin(pitch), math.cos(yaw) * math.cos(pitch))
         return self.vector.off_deg(lower) <= 0.35
 
     def is_squeezed(self) -> bool:
-        """Return whether the node interpreted the padding as more columns, and squeezed all of them into 160."""
+        """Return whether the node interpreted the padding as more columns, and squeezed all columns into 160."""
         ball, factor = self.ball.pixel, 160 / ((3 * 160 + self.padding) // 3)
         column = (CENTER.real + ball.real + 0.5) * factor - 0.5
         return self.padding > 0 and apart(self.vector.pixel, column - CENTER.real + ball.imag * 1j) <= 1.0
 
     def lags(self) -> bool:
-        """Return whether the direction is off toward the ball's earlier positions, and no farther than they are."""
+        """Return whether the direction is off toward the ball's earlier positions, but not beyond these positions."""
         ball, balls = self.ball.pixel, self.images.balls
         before = [balls[place].pixel for place in range(self.place - 12, self.place) if place in balls]
         back, off = sum(before) / max(len(before), 1) - ball, self.vector.pixel - ball
@@ -270,11 +271,12 @@ class Tracking:
         places = {number - 1 for number, _ in self.repeated}
         self.repeats_without_ball = len(places) > 3 and places <= {*images.without_ball}
 
-        # Directions whose stamp belongs to no image. Without its nanoseconds, a stamp can be right only by chance.
+        # The directions whose stamp belongs to no image. Without its nanoseconds, a stamp can be right only by chance.
         whole = in_whole_seconds(self.directions)
         self.strange = [one for one in self.directions if whole or one.place < 0]
         moving = [one for one in self.directions if one.place in images.moving]
-        # the directions' distance (°) from the ball: from its position one image before, now, and one image later
+        # the directions' distances (°) from the ball's position one image earlier, in the same image, and one image
+        # later
         before, here, after = (
             median(one.vector.off_deg(images.balls[one.place + later]) for one in moving)
             if len(moving) >= 10
@@ -285,17 +287,17 @@ class Tracking:
         nearer_to_another = here > 0.3 and min(before, after) <= min(0.5 * here, 0.3)
         self.is_mixed_up = bool(self.strange) or nearer_to_another
 
-        # how long (s) it took until each answered image got its direction, in order
+        # the delay (s) of each answered image's direction, in order
         self.waits = see.Waits([self.first[place].waited for place in sorted(self.first)], AT_ONCE_S)
         self.answered = [place for place in images.readable if place in self.first]
-        # the encoding without a single answered image, if nearly all images in the other one were answered
+        # the encoding without a single answered image, if nearly all images in the other encoding were answered
         answered = [(images.kinds[place][0], place in self.first) for place in images.readable]
         read = {name: share(known for encoding, known in answered if encoding == name) for name in KNOWN}
         least, other = sorted(KNOWN, key=read.__getitem__)
         self.unread = least if read[least] == 0.0 and read[other] >= SURE else ""
         self.unread_images = [view for view in images.views if view.encoding == self.unread]
 
-        # the directions for images in encodings to refuse, and the encodings to refuse that the node has reached
+        # the directions for images in encodings to refuse, and the encodings to refuse that the node has received
         self.guessed = [self.first[place] for place in images.others if place in self.first]
         self.guessed_encodings = sorted({one.encoding for one in self.guessed})
         come_to = [place for place in images.others if place < max(self.first, default=0)]
@@ -305,7 +307,7 @@ class Tracking:
 
     @property
     def finds_no_ball(self) -> bool:
-        """Whether nearly all images with a ball were answered as if they had none, or too few were answered."""
+        """Whether nearly all images with a ball were answered as if they had no ball, or too few were answered."""
         balls = Directions(self, self.images.with_ball)
         return balls.too_few or share(one.length > 0.5 for one in balls.known) <= SOME
 
@@ -324,25 +326,25 @@ class Directions:
     def __init__(self, run: Tracking, places: Sequence[int]) -> None:
         self.run, self.places, self.recording = run, places, run.recording
         self.known = [run.first[place] for place in places if place in run.first]
-        # too few to judge them; `keeps_up` judges their number
+        # whether there are too few directions to judge; `keeps_up` judges their number
         self.too_few = len(self.known) < max(LEAST_KNOWN * len(places), 3)
         self.wrong = [one for one in self.known if not one.is_right]
         self.example = [*self.wrong, None][len(self.wrong) // 2]
-        # the pixels of the ball and of each wrong direction; empty if there are few, or if one of them isn't in view
+        # the pixels of the ball and of each wrong direction, or [] if there are few, or if a direction isn't in view
         pixels = [(one.ball.pixel, one.vector.pixel) for one in self.wrong]
         can_tell = len(pixels) >= 4 and all(cmath.isfinite(at) for _, at in pixels)
         self.pixels = pixels if can_tell else []
 
     @property
     def finds_orange(self) -> bool:
-        """Whether many orange balls are found in the example's encoding, so red and blue can't be swapped."""
+        """Whether many orange balls are found in the example's encoding, so that red and blue can't be swapped."""
         alike = [one for one in self.run.to_balls if self.example and one.encoding == self.example.encoding]
         return share(one.is_right for one in alike) >= LEAST_KNOWN
 
     def misses_low(self, measure: Callable[[Direction], float]) -> bool:
-        """Return whether most wrong directions miss a ball, and those balls measure less than the balls found.
+        """Return whether most wrong directions miss a ball, and `measure` is smaller for these balls than for others.
 
-        The missed balls are compared with all found balls, and with those found in images of the same kind.
+        The missed balls are compared with all found balls, and with the balls found in images of the same kind.
         """
         missed = [measure(one) for one in self.wrong if one.is_zero]
         found = [one for one in self.run.to_balls if one.is_right]
@@ -353,21 +355,21 @@ class Directions:
         return lower >= SURE and min(map(measure, found)) >= median(missed)
 
     def at(self, expected: Iterable[complex], within: float = 1.0) -> float:
-        """Return the share of wrong directions whose pixel is at most `within` pixels from the expected one."""
+        """Return the fraction of wrong directions whose pixel is at most `within` pixels from the expected one."""
         pairs = zip(self.pixels, expected, strict=True)
         return share(apart(at, pixel) <= within for (_, at), pixel in pairs)
 
     @property
     def moved(self) -> float:
-        """The share of wrong directions that are off by the same vector of pixels."""
+        """The fraction of wrong directions that are off by the same vector of pixels."""
         off = [at - ball for ball, at in self.pixels] or [0j]
         by = complex(median(one.real for one in off), median(one.imag for one in off))
         return self.at(ball + by for ball, _ in self.pixels)
 
     def scaled(self, *, together: bool) -> float:
-        """Return the share of wrong directions whose distance from the center is scaled.
+        """Return the fraction of wrong directions whose distance from the center is scaled.
 
-        `together`: with one factor for both axes, instead of one for each.
+        `together`: whether both axes share one factor instead of having one each.
         """
         across = [(ball.real, at.real) for ball, at in self.pixels]
         along = [(ball.imag, at.imag) for ball, at in self.pixels]
@@ -377,7 +379,7 @@ class Directions:
 
     @property
     def edge(self) -> str:
-        """The edge or corner of the ball that most wrong directions point to; empty if there is none."""
+        """The edge or corner of the ball to which most wrong directions point, or "" if there is none."""
         seen = self.wrong if self.pixels else []
         for name, side in EDGES.items():
             if self.at((one.ball.pixel + side * one.width / 2 for one in seen), within=1.5) >= SURE:
@@ -594,7 +596,7 @@ def padding_right(recording: Recording) -> Verdict:
     suspected = PADDING_OF_ONE_ENCODING if one_is_right else PADDING_AS_PIXELS
     verdict = judged(padded, suspected if unpadded_is_right else None)
     if not bgr_is_right:
-        return verdict  # `bgr_right` judges what is wrong with bgr8 alone
+        return verdict  # `bgr_right` judges faults that concern bgr8 alone
     return see.all_of(verdict, judged(padded_bgr, suspected))
 
 
@@ -609,7 +611,7 @@ def no_ball_said(recording: Recording) -> Verdict:
 
 
 def judged(some: Directions, suspected: see.Cause | None = None) -> Verdict:
-    """Return the verdict on some directions. `suspected`: the cause if most are wrong without showing why."""
+    """Return the verdict on some directions. `suspected`: the cause if most are wrong and don't show why."""
     if some.run.is_mixed_up:
         return MIXED_UP
     if some.too_few:

@@ -1,4 +1,8 @@
-"""Judge exercise 16: the judge is the camera and the IMU, and knows the toys on the desk and when the robot falls."""
+"""Judge exercise 16: the judge publishes the camera's images and the IMU's samples of a robot that falls.
+
+So it knows the toys on the desk, and the time of the fall. A *glare* is a time at which the light is so bright that the
+model raises an exception.
+"""
 
 import math
 import random
@@ -26,27 +30,27 @@ STATUS = topic("/robot/status", String, hz=10.0)
 CAMERA_HZ, IMU_HZ, BEGIN_S, PICTURES = 30.0, 50.0, 0.5, 330
 IMU_SECONDS = PICTURES / CAMERA_HZ
 MODEL_S, SOONEST_S, TYPICALLY_S, MOSTLY_S, MOSTLY_SHARE, LEAST_HZ = 0.2, 0.19, 0.30, 0.35, 0.9, 3.0
-PAUSE_S = 2.0  # without an answer for so long after a glare, the node pauses: six images are due
-STOPPED_S = 1.5  # without an answer for so long at the end, the node has stopped looking
+PAUSE_S = 2.0  # if no answer comes for this long after a glare, the node pauses, because six answers are due
+STOPPED_S = 1.5  # if no answer comes for this long at the end, the node has stopped
 WITHIN_PIXELS, RIGHT_SHARE = 5.0, 0.8
-WHOLE = 0.9  # a toy must be detected if this share of it is visible; otherwise, it may be
+WHOLE = 0.9  # a toy must be detected if this fraction of it is visible; otherwise, it may be
 LEAST_BEATS, MOST_BEATS, LONGEST_SILENCE_S = 0.9, 1.1, 0.5
-HARDLY_ANY = 3  # so few heartbeats aren't a heartbeat that has stopped
-STANDSTILL_S = 0.1  # the judge sends a sample every 0.02 s: if it sent nothing for so long, it was held up
+HARDLY_ANY = 3  # with this few heartbeats, we don't say that the heartbeat has stopped
+STANDSTILL_S = 0.1  # the judge sends a sample every 0.02 s, so in a pause this long, it was held up itself
 TILT_DEG, TILTED_SAMPLES, FALLEN_DEG, FALL_WITHIN_S = 60.0, 10, 65.0, 0.5
-FOLLOWS_WITHIN_S = 0.4  # so soon after the robot is upright again, a status that follows its tilt has changed
-REACTS_S = 0.25  # so soon after a jolt, "error" comes from that jolt
+FOLLOWS_WITHIN_S = 0.4  # this soon after the robot is upright, a status that follows the tilt has changed
+REACTS_S = 0.25  # an "error" this soon after a jolt is due to that jolt
 LABELS = {"ball", "brick", "cup", "plate"}
 OPERATIONAL, ERROR = "operational", "error"
 WORDS_OF_THE_MODEL = re.compile(r"glare: \d+ ?% of the picture is white")
-MOST = 0.6  # so many of the wrong messages must fit a cause
-MOST_BEHIND = 12  # images: a result whose stamp is this much later waited for another call of the model
+MOST = 0.6  # the fraction of the wrong messages that must fit a cause
+MOST_BEHIND = 12  # images: a result with a stamp later than that waited for another call of the model
 NOISE = 1616  # the seed of the noise in the images
 
 
 @dataclass(frozen=True)
 class Toy:
-    """A toy on the desk, in an image or in a marker: its label, its center (pixels), and its visible share."""
+    """A toy on the desk, in an image or in a marker: its label, its center (pixels), and its visible fraction."""
 
     label: str
     u: float
@@ -69,7 +73,7 @@ class Toy:
 
 @dataclass(frozen=True)
 class Tilt:
-    """IMU samples during which the robot is tilted: by `deg` (°), `toward` a direction (°; 0: forward, 90: left)."""
+    """IMU samples during which the robot is tilted by `deg` (°) `toward` a direction (°; 0: forward, 90: left)."""
 
     first: int
     count: int
@@ -85,15 +89,14 @@ class Tilt:
 class Run:
     """The events of one run, and the program's input: images, identified by their places, and IMU samples.
 
-    `glare_s`: the times (s since the first image) at which the light is so bright that the model gives up. All jolts
-    and `leaning` end before the robot falls. The last two jolts have nine samples each, with six upright ones in
-    between.
+    `glare_s`: the start and end (s since the first image) of each glare. All jolts and `leaning` end before the robot
+    falls. The last two jolts have nine samples each, with six upright ones in between.
     """
 
     def __init__(self, dice: random.Random) -> None:
-        # Times are in tenths of a second, which have five samples each. After a glare, the robot neither leans nor
-        # falls for a while. A program that pauses for three or five seconds after each exception works again before the
-        # end. At least two more seconds follow the fall.
+        # Times are in tenths of a second, with five samples each. After a glare, the robot neither leans nor falls for
+        # a while. A program that pauses for three or five seconds after each exception works again before the end. At
+        # least two more seconds follow the fall.
         falls, jolted = dice.randint(64, 87), dice.randint(6, 10)
         glare = dice.randint(jolted + 11, 24)
         again = dice.randint(glare + 26, min(glare + 46, falls - 14))
@@ -101,7 +104,7 @@ class Run:
         toward = [dice.uniform(-180.0, 180.0) for _ in range(5)]
         self.glare_s = ((glare / 10, (glare + 7) / 10), (again / 10, (again + 5) / 10))
         self.jolts = (
-            Tilt(0, 6, 70.0, toward[0]),  # also the very first samples
+            Tilt(0, 6, 70.0, toward[0]),  # from the very first sample on
             Tilt(5 * jolted, 7, 80.0, toward[1]),
             Tilt(5 * leans + 20, 6, 100.0, toward[2]),
             Tilt(5 * jolted + 20, 9, 75.0, toward[3]),
@@ -110,18 +113,21 @@ class Run:
         self.leaning = Tilt(5 * leans, 50, 55.0, toward[4])
         # The robot falls forward and to the left, so that its tilt in each of these directions alone is less than 60°.
         self.fall = Tilt(5 * falls, 65, FALLEN_DEG, dice.uniform(43.0, 47.0))
-        self.fall_sample = self.fall.first + TILTED_SAMPLES - 1  # with it, the fall is a fall
+        self.fall_sample = self.fall.first + TILTED_SAMPLES - 1  # from this sample on, the tilt is a fall
         self.views = views(dice, self.glare)
         self.samples = [self._sample(dice, number) for number in range(round(IMU_SECONDS * IMU_HZ))]
         self.place_of = {view.stamp: place for place, view in enumerate(self.views)}
         self.in_glare = [place for place in range(PICTURES) if self.glare(place / CAMERA_HZ)]
 
     def glare(self, seconds: float) -> bool:
-        """Return whether the model gives up on an image taken `seconds` s after the first one."""
+        """Return whether the model raises an exception for an image taken `seconds` s after the first one."""
         return any(begin <= seconds < end for begin, end in self.glare_s)
 
     def _sample(self, dice: random.Random, number: int) -> tuple[float, dict[str, Any]]:
-        """Return when an IMU sample is due (s), and its message's fields. If tilts overlap, the largest one counts."""
+        """Return the time (s) at which an IMU sample is due, and its message's fields.
+
+        If tilts overlap, the largest one counts.
+        """
         tilts = [one for one in (*self.jolts, self.leaning, self.fall) if one.first <= number < one.end]
         deg, toward_deg = max(((one.deg, one.toward) for one in tilts), default=(3.0, 0.0))
         tilt, toward, seconds = math.radians(deg), math.radians(toward_deg), number / IMU_HZ
@@ -194,7 +200,7 @@ def in_judges_time(recording: Recording) -> Recording:
 
 @dataclass(frozen=True)
 class Answer:
-    """One MarkerArray: its image's place (-1: none, or several), stamps (s), detections, and publication time (s)."""
+    """One MarkerArray: its image's place (-1: none or several), stamps (s), detections, and publication time (s)."""
 
     place: int
     stamps: tuple[float, ...]
@@ -203,7 +209,7 @@ class Answer:
 
 
 class Watched:
-    """The messages sent to the program, and its answers. Times are seconds on the wall clock.
+    """The messages sent to the program, and the program's answers. Times are in s of wall time.
 
     Raises ValueError for a recording without a seed.
     """
@@ -223,7 +229,7 @@ class Watched:
         self.answers = sorted(answers, key=lambda one: one.wall)
         self.full = [one for one in self.answers if one.things]
         spans = [[round(at * CAMERA_HZ) for at in glare] for glare in self.run.glare_s]
-        last = len(self.sent) - 1  # the watch may have ended before
+        last = len(self.sent) - 1  # the watch may have ended before all images were sent
         self.glares = [(self.sent[begin], self.sent[min(end, last)]) for begin, end in spans if begin <= last]
 
     def _answer(self, arrival: see.Arrival) -> Answer:
@@ -235,15 +241,15 @@ class Watched:
         return Answer(place, tuple(stamp.seconds for stamp in stamps), things, arrival.published)
 
     def in_glare(self, at: float, late: float, early: float = 0.0) -> bool:
-        """Return whether a moment (s) is in a glare, at most `late` s after one, or at most `early` s before one."""
+        """Return whether the time `at` (s) is in a glare, or at most `late` s after or `early` s before a glare."""
         return any(begin - early <= at <= end + late for begin, end in self.glares)
 
     def gave_up(self, last: Answer) -> bool:
-        """Return whether the last message came so near a glare that the model may have given up right after it."""
+        """Return whether a glare was so near that the model may have raised its exception after the last message."""
         return self.in_glare(last.wall, 2 * MODEL_S, early=MODEL_S)
 
     def waits_for_the_model(self) -> bool:
-        """Return whether most heartbeats come right after the model has finished, because one thread does both."""
+        """Return whether most heartbeats come right after the model has finished, because one thread does both jobs."""
         done = [one.wall for one in self.answers] or [math.inf]
         times = [at for at, _ in self.statuses if done[0] <= at <= done[-1] + MODEL_S]
         within = [at for at in times if not self.in_glare(at, 2 * MODEL_S)]
@@ -252,7 +258,7 @@ class Watched:
 
 
 class Heartbeat(Watched):
-    """The regularity of the status, from the first heartbeat to the end, or to the last one if the program ended."""
+    """The regularity of the heartbeats, from the first one to the end, or to the last one if the program exited."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -269,7 +275,7 @@ class Heartbeat(Watched):
 
 
 class Detections(Watched):
-    """The images that the detections are for, and the images' ages (s) when the messages were published."""
+    """The images to which the detections belong, and the images' ages (s) when the messages were published."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -292,7 +298,7 @@ class Detections(Watched):
         self.knows_stamps = wrong is None
         self.knows_images = wrong is None or wrong.cause == "stamps-kept.later-picture"
         shifted = [replace(one, place=max(one.place - self.behind, 0)) for one in full]
-        self.fitting = shifted if self.knows_images else []  # with the images that the toys are from
+        self.fitting = shifted if self.knows_images else []  # with the images in which the toys were detected
         self.matched = [one for one in self.fitting if one.place < len(self.sent)]
         self.ages = [one.wall - self.sent[one.place] for one in self.matched]
 
@@ -302,16 +308,16 @@ class Detections(Watched):
         self.rest = next((rest for rest in rests if rest > PAUSE_S), 0.0)  # without messages after a glare
 
     def _next(self, over: float) -> float:
-        """Return when the next image after a glare was answered, or when the last one was sent if none was.
+        """Return the time (s) of the next answer after a glare, or of the last sent image if no answer came.
 
-        `over`: when the glare ended (s).
+        `over`: the end of the glare (s).
         """
         return min((one.wall for one in self.full if one.wall > over + MODEL_S / 2), default=self.sent[-1])
 
     def _pictures_behind(self, known: Sequence[Answer]) -> int:
-        """Return how many images the detections lag behind their stamps; 0 if they don't, or if that's unclear.
+        """Return the number of images by which detections lag behind their stamps, or 0 if they don't or it's unclear.
 
-        Only messages count for which the toys have moved far enough in between.
+        Only messages for which the toys have moved far enough in between are used.
         """
         toys = self.run.toys
         best = min(range(MOST_BEHIND + 1), key=lambda back: fmean(self._misfits(known, back)))
@@ -321,26 +327,26 @@ class Detections(Watched):
         return best if tells and here > WITHIN_PIXELS / 2 and there <= here / 2 else 0
 
     def _misfits(self, given: Iterable[Answer], back: int) -> list[float]:
-        """Return each message's misfit (pixels) with the toys `back` images before the one with its stamp."""
+        """Return each message's misfit (pixels) with the toys `back` images before the image with its stamp."""
         return [misfit(one.things, self.run.toys[one.place - back]) for one in given] or [0.0]
 
 
 def misfit(things: Iterable[Toy], toys: Sequence[Toy]) -> float:
     """Return the typical distance (pixels) from detections to the nearest toy with the same label.
 
-    A detection without such a toy counts as a large distance.
+    A detection without such a toy counts as far away.
     """
     off = [[one.pixels_to(toy) for toy in toys if toy.label == one.label] for one in things]
     return median([min(pixels, default=99.0) for pixels in off] or [0.0])
 
 
 def typical_step(given: Iterable[Answer]) -> float:
-    """Return the typical time (s) between two messages; infinity if there are fewer than two."""
+    """Return the typical time (s) between two messages, or infinity if there are fewer than two."""
     return median([b.wall - a.wall for a, b in pairwise(given)] or [math.inf])
 
 
 class Freshness(Detections):
-    """The detections' ages (s), and the number of images answered per second. There must be at least three messages."""
+    """The detections' ages (s), and the number of images answered per second. This needs at least three messages."""
 
     def __init__(self, recording: Recording, raw_ages: Sequence[float]) -> None:
         super().__init__(recording)
@@ -352,7 +358,7 @@ class Freshness(Detections):
         fifth = max(len(ages) // 5, 1)
         self.first, self.last = median(ages[:fifth]), median(ages[-fifth:])
         self.apart = typical_step(self.matched)
-        self.waited = max(self.typical - self.apart, 0.0)  # for the model
+        self.waited = max(self.typical - self.apart, 0.0)  # the time (s) that an image waited for the model
         spans = [(sent[one.place], one.wall - MODEL_S) for one in self.matched]  # until the model started
         self.missed = median(sum(begin < at <= end for at in sent) for begin, end in spans)
 
@@ -364,8 +370,8 @@ class Freshness(Detections):
         blind = sum(end - begin for begin, end in self.run.glare_s if begin * CAMERA_HZ < place)
         lasted = (last if gave_up else sent[-1] + MODEL_S) - self.matched[0].wall - blind
         self.hertz = len([one for one in self.matched if one.place not in in_glare]) / max(lasted, 0.1)
-        self.too_few = not self.rest and self.hertz < LEAST_HZ  # `survives` judges a rest after a glare
-        since_fall = sent[-1] - self.fallen_at  # after the fall, two more seconds must be there to tell
+        self.too_few = not self.rest and self.hertz < LEAST_HZ  # `survives` judges a pause after a glare
+        since_fall = sent[-1] - self.fallen_at  # at least two seconds after the fall are needed to judge
         count = len([one for one in self.matched if one.wall > self.fallen_at]) + 1
         self.hertz_fallen = math.inf if since_fall < 2.0 or gave_up else count / (since_fall + MODEL_S)
 
@@ -390,7 +396,7 @@ class Message:
 
 
 class Correctness:
-    """The number of right messages, and the wrong ones."""
+    """The number of correct messages, and the wrong messages."""
 
     def __init__(self, messages: Sequence[Message]) -> None:
         self.wrong = [one for one in messages if not one.is_right]
@@ -403,7 +409,7 @@ class Correctness:
 
 
 class Survival(Detections):
-    """The program's behavior when the model raises its exception."""
+    """The program's behavior after the model raises its exception."""
 
     def __init__(self, recording: Recording) -> None:
         super().__init__(recording)
@@ -412,14 +418,14 @@ class Survival(Detections):
         self.glaring = len(images)
         self.over = len(sent) == len(images) and last.wall > sent[-1] + 3 * MODEL_S
         reached = not self.knows_stamps or max(one.place for one in self.full) >= images[0]
-        self.silent = not self.over or self.ended or not reached  # since the model raised
+        self.silent = not self.over or self.ended or not reached  # since the model raised its exception
         self.unseen = self.silent and not self.ended and (self.over or not self.gave_up(last))
         self.lines, self.own_text = len(WORDS_OF_THE_MODEL.findall(self.log)), "glare" in self.log
         self.most_lines = 2 * sum(end - begin for begin, end in self.run.glare_s) / MODEL_S
         self.ended_without_a_word = self.ended and not self.lines and see.last_error(recording) is None
         self.guessed = [one for one in self.full if one.place in images and self.knows_stamps]
         self.guessed_toys = any(toy.label in LABELS for one in self.guessed for toy in one.things)
-        empty = [one.wall for one in self.answers if not one.things]  # soon after a glare: others may be true
+        empty = [one.wall for one in self.answers if not one.things]  # outside of a glare, they may be right
         self.empty = sum(any(0.9 * MODEL_S <= at - one <= 3 * MODEL_S for one in sent) for at in empty)
 
 
@@ -440,7 +446,7 @@ class Fall(Watched):
         self.when_forgiven = "while the robot was still on the floor" if self.upright_for < 0.0 else upright
 
     def error_during(self, tilt: Tilt, skipped: int = 0) -> bool:
-        """Return whether "error" came during a tilt or soon after it. The first `skipped` samples don't count."""
+        """Return whether "error" came during or soon after a tilt, not counting the tilt's first `skipped` samples."""
         return self.felt[tilt.first + skipped] <= self.error_at <= self.felt[tilt.end] + REACTS_S
 
 
@@ -488,7 +494,7 @@ NOT_FRESH = WORDS.rules(
     Freshness,
     "fresh",
     ("faster-than-the-model", lambda f: f.knows_stamps and round(f.raw_typical, 2) < SOONEST_S),
-    # On a busy machine, the moment at which an image was sent is sometimes recorded late.
+    # On a busy machine, the time at which an image was sent is sometimes recorded late.
     ("some-guessed", lambda f: f.knows_stamps and f.too_soon > f.messages / 20),
     ("queue-grows", lambda f: f.too_old and f.last > f.first + 1.0),
     ("slow", lambda f: f.too_old and f.apart > 1.5 * MODEL_S),
@@ -620,7 +626,7 @@ def fresh(recording: Recording) -> Verdict:
     if answered < 3:
         return few_answers(recording, answered)
     facts = Freshness(calm, raw.ages)
-    if facts.too_old and not facts.knows_stamps:  # the ages are known to a few hundredths of a second
+    if facts.too_old and not facts.knows_stamps:  # the ages are uncertain by some hundredths of a second
         return NO_IMAGE
     return NOT_FRESH.first(facts) or see.passed(FRESH(facts)[0])
 
@@ -666,6 +672,6 @@ def fall_reported(recording: Recording) -> Verdict:
 
 
 def few_answers(recording: Recording, answered: int) -> Verdict:
-    """Return the verdict if hardly any image was answered, so nothing else can be judged."""
+    """Return the verdict if hardly any image was answered, so that nothing else can be judged."""
     few = FEW_ANSWERS.verdict(answered=answered)
     return see.ended_or_error(recording, few.saw, few.expected) or few

@@ -31,7 +31,7 @@ PACE_S = 0.06  # from one call to the next, so that all calls together take abou
 BREATH_S = 0.01  # so that a call's messages have a later timestamp than its announcement
 AT_ONCE = 4  # the call with this number follows the previous one immediately, with a shorter pause
 SHORT_BREATH_S = 0.001
-PATIENCE_S = 1.0  # the longest wait for a subscriber; an answer that publishes on another topic never gets one
+PATIENCE_S = 1.0  # for a subscriber, which an answer that publishes on another topic never gets
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 NAMES = {"np": np, "nan": float("nan"), "inf": float("inf")}
 LONGEST_ERROR = 300  # characters
@@ -119,7 +119,7 @@ class Driver(Node):
                 self.say(f"sent before any call: {level}")
             self.early.clear()
             self.report_publisher.wait_for_all_acked(Duration(seconds=PATIENCE_S))
-            self.timer.reset()  # otherwise, the first calls after a long wait would follow each other too fast
+            self.timer.reset()  # otherwise, the calls after a long wait would follow each other too fast
         elif self.usable and self.is_heard():
             self.call_next(BREATH_S)
             if self.called + 1 == AT_ONCE:

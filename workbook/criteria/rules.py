@@ -12,8 +12,8 @@ A criterion has three separate parts:
   `{texts.name}` is a string from `[texts]`, which several causes may share. `{AT_ONCE_S}` and `{LEAST_SHARE:.0%}` are
   constants of the module, if it passes them: `Words(__file__, globals())`.
 
-Importing a module raises CatalogError if a cause lacks an entry in the catalog, if an entry lacks a cause, or if a
-placeholder isn't a fact.
+Importing a module raises CatalogError if its causes and its catalog's entries don't match, or if a placeholder isn't a
+fact.
 """
 
 import re
@@ -181,7 +181,7 @@ class Blamed:
     cause: Cause | None
 
     def verdict(self, facts: Any) -> Verdict | None:
-        """Return the verdict from `blame`, or else that of the fallback cause, or None if there is neither."""
+        """Return the verdict from `blame`, or else the fallback cause's verdict, or None if there is neither."""
         found = self.blame(facts.recording, *_filled_in(self.words, SEEN, facts, {}))
         return found or (self.cause.verdict(facts) if self.cause else None)
 

@@ -26,8 +26,8 @@ def write_program(folder: Path, stem: str, answer: Answer) -> Path:
 class StartedAnswer:
     """An answer that runs on a leased domain and waits to be watched.
 
-    If an exercise is judged on the wall clock from the start, the program isn't started yet (`process` is None), so
-    that the judge can watch it from its start. Leaving the `with` block stops the program and releases the domain.
+    If an exercise is judged on the wall clock from the start, the program isn't started yet (`process` is None). So the
+    judge can watch the program from its start. Leaving the `with` block stops the program and releases the domain.
     """
 
     def __init__(self, source: ExerciseSource, answer: Answer) -> None:

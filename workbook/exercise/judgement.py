@@ -16,7 +16,7 @@ JudgementStatus = Literal["graded", "ungradable", "infra_error"]
 class Judgement:
     """The result for one answer.
 
-    `provisional`: whether a later judgment, on the wall clock or in another try, may replace this one.
+    `provisional`: whether a later judgment, on the wall clock or in another try, may replace this judgment.
     `inconclusive_reason`: why the judgment may be unfair to the answer (see `inconclusive`), or "" for a conclusive
     judgment. `end_only`: whether only the points for the program's exit are inconclusive. `watched_real_life`: whether
     the program was also watched in real time.

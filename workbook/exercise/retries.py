@@ -3,7 +3,7 @@
 - A conclusive try ends the series. There are at most three tries.
 - An inconclusive try, in which the machine or the judge may have cost points, doesn't count.
 - If the other tries differ in the points for what the program published, the lowest counts. If they differ only in the
-  points for how the program exited, the best counts, because a bug in rclpy or Python may have spoiled the other exits.
+  points for the program's exit, the best counts, because rclpy or Python may have spoiled the others.
 - If all tries were inconclusive but gave the same result, that's no coincidence, so the last one counts. If they
   differ, the answer has no score, because our own fault must never become a student's zero.
 

@@ -1,7 +1,7 @@
 """Combine the results of two runs of one program: one in simulated time, and one in real time.
 
-A run is represented by its judgment, which contains the recording. `on_simulated` is the judgment of the run in
-simulated time, and `on_wall` that of the run on the wall clock.
+A run is represented by its judgment, which contains the recording. `on_simulated` is the judgment from simulated time,
+and `on_wall` is the judgment from the wall clock.
 """
 
 from dataclasses import replace
@@ -202,9 +202,9 @@ def _is_any_undecided(exercise: Exercise, recording: Recording) -> bool:
 def _is_final(recording: Recording, result: CriterionResult) -> bool:
     """Return whether simulated time decides this result, which must be about the pace of a topic that follows it.
 
-    If simulated time runs at a fixed pace instead of in lockstep, even a callback that sleeps briefly is late by many
-    times that duration in simulated time. So a result about time is final only in lockstep. But if one topic stops
-    while others go on, a short delay can't be the reason, so that result is final, too.
+    If simulated time runs at a fixed pace, not in lockstep, even a brief sleep in a callback causes a long delay in it.
+    So a result about time is final only in lockstep. But if one topic stops while others go on, a short delay can't be
+    the reason, so that result is final, too.
     """
     return (recording.in_lockstep or not result.about_time) and recording.following.get(result.pace_of, False)
 

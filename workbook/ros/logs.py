@@ -54,7 +54,7 @@ def _library(name: str) -> str:
 
 
 def install() -> bool:
-    """From now on, print the lines that Python code logs through rclpy. It's safe to call this function again.
+    """Print the lines that Python code logs through rclpy, from now on. It's safe to call this function again.
 
     Return False, without changing anything, if the ROS libraries lack a required function.
     """

@@ -222,7 +222,7 @@ async def run(
     each_frame: Callable[[], object] | None = None,
     fps: float = 15.0,
 ) -> Any:
-    """Run nodes for `seconds` s of real time, or until a condition is true. Buttons and Stop keep working meanwhile.
+    """Run nodes for `seconds` s of real time, or until a condition is true. Buttons and Stop keep working.
 
     `until` is a function that is called after each callback, or a Future whose result is returned; `seconds` is the
     limit. With `seconds=None`, nodes run until Stop is pressed. `each_frame` is called `fps` times a second and once at

@@ -1,8 +1,8 @@
 """Determine whether a topic follows the simulated clock, by comparing its messages at two speeds of the clock.
 
-If a program follows `/clock`, its intervals between messages, in simulated time, are the same at every speed. If a
-program runs on the wall clock, these intervals grow with the speed. A *stretch* is a part of the watch in which the
-clock's speed stayed the same.
+If a program follows `/clock`, its intervals between messages, in simulated time, are equal at every speed. If a program
+runs on the wall clock, these intervals grow with the speed. A *stretch* is a part of the watch with a constant clock
+speed.
 """
 
 import math

@@ -1,8 +1,8 @@
 """Detect when a program has come to rest, so that the next clock step doesn't overtake it.
 
 In *lockstep*, the clock takes a step only after the program has come to rest. A program is at rest if, at one moment,
-none of its threads is running or waiting for a processor, and neither is any of our threads that receive the program's
-messages. Two conditions prove that: we saw each thread asleep, and no thread was scheduled between the first poll and
+none of its threads is running or waiting for a processor. Our threads that receive the program's messages must be at
+rest, too. Two conditions prove that: we saw each thread asleep, and no thread was scheduled between the first poll and
 the last. Linux counts how often each thread was scheduled (`schedstat`, see
 https://docs.kernel.org/scheduler/sched-stats.html).
 
@@ -42,11 +42,11 @@ class State(enum.Enum):
 class LockStep:
     """Waits until a program, whose first process is `pid`, is at rest.
 
-    `works` is False if waiting is useless, because the kernel doesn't report threads, the program paces itself by
-    sleeping, or a thread is always at work. Examples of such work are a MultiThreadedExecutor that waits for a free
-    thread, and a loop without a pause. `never_in_vain`: whether the program was at rest after each wait so far.
-    `slept_s` and `longest_nap_s`: the total and the longest time (s) that we waited for a sleeping thread before the
-    program came to rest.
+    `works` is False if waiting is useless: the kernel doesn't report threads, the program paces itself by sleeping, or
+    a thread is always at work. Examples of such work are a MultiThreadedExecutor that waits for a free thread, and a
+    loop without a pause. `never_in_vain`: whether the program was at rest after each wait so far. `slept_s` and
+    `longest_nap_s`: the total and the longest time (s) that we waited for a sleeping thread before the program came to
+    rest.
     """
 
     def __init__(self, pid: int) -> None:

@@ -53,8 +53,8 @@ class Recorder:
     `simulated_time` maps a real time (`time.monotonic`, s) to simulated time (s). An arrival is stamped with the time
     at which DDS received the message, so a late `take` does no harm. Wall time counts from `started_at`. `look` reads
     changes in the graph, and `take` reads the messages; neither waits. Endpoints in the context of `node` are left out,
-    but not other programs' endpoints with the same names. Invalid names are left out, too, without losing other topics:
-    if topics can't be listed because of such a name, the `judged` topics are still recorded. Judged topics are also
+    but not other programs' endpoints with the same names. Invalid names are left out, too, without losing other topics.
+    If topics can't be listed because of such a name, the `judged` topics are still recorded. Judged topics are also
     recorded if a program publishes more than `TOPICS_WATCHED` topics.
 
     Each judged topic has a quota of `KEPT_PER_TOPIC` messages and `bytes_per_topic` bytes; all other topics share one

@@ -1,7 +1,7 @@
 """Play a script to a program: publish messages, respond to calls, and call services, all without an executor.
 
-A *script* holds everything that the judge sends during a watch: *parts* (a topic or service each) and their *lines* (a
-message or call, and its time).
+A *script* contains the judge's messages and calls during a watch. Its *parts* are topics or services, and their *lines*
+are messages or calls with times.
 """
 
 import math
@@ -236,7 +236,7 @@ class ScriptPlayer:
                 if header is None:
                     break
                 if len(self._calls) >= CALLS_KEPT:
-                    continue  # the request is taken all the same, so that it doesn't stay in the queue
+                    continue  # the request is still taken, so that it doesn't stay in the queue
                 reply = offered.part.replies[min(offered.count, len(offered.part.replies) - 1)]
                 offered.count += 1
                 index = len(self._calls)

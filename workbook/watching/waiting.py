@@ -103,7 +103,7 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
                 return
         else:
             spinning = services.all_spin(recorder.present())
-            spinning_s += spent if spinning and quiet else 0.0  # another of the program's processes may be starting
+            spinning_s += spent if spinning and quiet else 0.0  # another of its processes may be starting
             if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
                 return
             if spinning_s > SPINNING_S:

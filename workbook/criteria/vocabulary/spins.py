@@ -44,7 +44,7 @@ def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | 
 
 
 def initialized_again(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Return a failed verdict that blames a call of rclpy.init() in a loop.
+    """Return a failed verdict that blames an rclpy.init() call in a loop.
 
     The result is None if the source has no such loop, or if the program exited by itself.
     """
