@@ -38,7 +38,7 @@ F = TypeVar("F")
 Given = type | Collection[str]
 """The source of a feedback string's placeholders: a class of facts, or the names of keyword arguments."""
 Blame = Callable[[Recording, str, str], Verdict | None]
-"""A function that looks for a cause in a recording, such as an error that ended the program.
+"""A function that looks for a cause in a recording, such as an error that made the program exit.
 
 The function takes the recording and the strings `saw` and `expected`. It returns a failed verdict, or None if it
 doesn't find a cause.

@@ -88,9 +88,7 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
     recorder = session.recorder
     looked = time.monotonic()
     deadline = looked + MATCH_S
-    quiet_s = spinning_s = (
-        0.0  # time in which the program or this process waits for a core doesn't count
-    )
+    quiet_s = spinning_s = 0.0  # time in which the program or this process waits for a core doesn't count
     while (now := time.monotonic()) < deadline and session.process.is_running():
         spent = min(now - looked, POLL_S)
         if recorder.look():

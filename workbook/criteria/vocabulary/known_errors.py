@@ -21,7 +21,7 @@ from workbook.recording.recording import Recording
 
 @dataclass(frozen=True)
 class ProgramError:
-    """An error that ended or crippled a program, with its explanation.
+    """An error that made a program exit or crippled it, with an explanation.
 
     `error`: the traceback's last line. `line`: the line number in the student's file, or None. `cause`: the cause id.
     `because` and `try_this`: the explanation.
