@@ -263,10 +263,7 @@ def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recordin
 
 
 def topic_pace(recording: Recording, topic: Topic) -> Pace:
-    """Return the pace of `topic` over its window, in simulated time.
-
-    The values include the count, the rate, the typical interval, and the longest gap.
-    """
+    """Return the pace of `topic`: its message count, rate, typical interval, and longest gap, in simulated time."""
     seen = recording.topic(topic.name)
     start, end = _watched(recording, topic)
     return pace([arrival.t for arrival in seen.arrivals], start, end, topic.period)
