@@ -90,30 +90,30 @@ def _practice(source: ExerciseSource) -> str:
 def _your_program(source: ExerciseSource) -> str:
     return (
         "## Your program\n\n"
-        "Edit the cell below, and run it with Shift+Enter. Running the cell doesn't start your program. It saves the "
-        f"program as `answers/{source.stem}.py` and keeps a backup of the previous version in the same folder. Keep "
-        "the cell's first line. If you add ` --check` to the end of that line, running the cell also checks your "
-        "program."
+        "Edit the cell below, and run it with Shift+Enter. This doesn't start your program yet. Instead, it saves the "
+        f"program as `answers/{source.stem}.py` and keeps a backup of the previous version in the same folder. Don't "
+        "remove the cell's first line. If you add ` --check` to the end of that line, running the cell also checks "
+        "your program."
     )
 
 
 def _watch(source: ExerciseSource) -> str:
-    others, publishers = "", "your program publishes"
+    others, publishers = "", "your program"
     if partner_of(source.path) is not None:
         others = (
             "It also starts the robot's other nodes, so that your node has something to communicate with. "
         )
-        publishers = "all these nodes publish"
+        publishers = "all these nodes"
     return (
         "## Watch it run\n\n`%start` runs your program in its own process, in this notebook's ROS domain. "
-        f"{others}The robot drawn below the cell and in the robot panel reacts to the messages that {publishers}. "
-        "`%stop` ends the program."
+        f"{others}Below the cell, you'll see a robot that reacts to the messages from {publishers}. The robot panel "
+        "shows the same robot. `%stop` ends the program."
     )
 
 
 _CHECK = (
     "## Check it\n\nCheck your program as often as you like. You'll see what it did, and what to fix first. "
-    "In JupyterLab, the check uses the cell's current text, even if you haven't run the cell."
+    "In JupyterLab, `%check` uses the program as it stands in the cell above, even if you haven't run that cell."
 )
 _HINTS = "## Stuck?\n\nThere are three hints. Each time you run the cell below, it shows the next one."
 _SOLUTION = (
