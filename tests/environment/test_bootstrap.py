@@ -147,6 +147,7 @@ def test_a_failed_installation_is_told_and_repaired(checkout: Checkout) -> None:
     assert not (checkout.venv / "half").exists()
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("with_uv", [True, False], ids=["uv", "pip"])
 def test_an_active_environment_that_is_unfinished_is_made_anew(checkout: Checkout, with_uv: bool) -> None:
     """In VS Code's terminal, `.venv` comes first on the PATH.

@@ -145,6 +145,7 @@ def arguments_of(words: str) -> list[str]:
     return [filled(argument) for argument in task["args"]]
 
 
+@pytest.mark.whole
 @pytest.mark.slow
 def test_the_tasks_for_an_exercise_do_what_they_say(copy: Path) -> None:
     hinted = run(copy, *arguments_of("a hint to this exercise"))

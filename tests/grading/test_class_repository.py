@@ -432,6 +432,7 @@ def needs_a_box() -> None:
         pytest.skip(f"programs cannot be sandboxed: {problem}")
 
 
+@pytest.mark.whole
 @pytest.mark.sandbox
 @pytest.mark.slow
 def test_the_commands_of_the_workflow_judge_what_was_pushed(tmp_path: Path, course: Path) -> None:

@@ -265,6 +265,7 @@ def test_without_bubblewrap_it_takes_the_best_of_the_rest_and_says_so(scope: Gra
     assert f"Isolation: {tier}" in data["output"]
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     ("files", "says"),
     [
@@ -294,6 +295,7 @@ def test_what_cannot_be_judged_is_told_to_the_student(
     assert says in data["output"]
 
 
+@pytest.mark.whole
 def test_a_missing_submission_folder_is_nothing_handed_in(scope: Gradescope) -> None:
     (scope.root / "submission").rmdir()
     assert "nothing was handed in" in scope.run()["output"]
@@ -302,6 +304,7 @@ def test_a_missing_submission_folder_is_nothing_handed_in(scope: Gradescope) -> 
 # --- our own faults -------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.whole
 def test_criteria_that_do_not_import_cost_nobody_a_point(scope: Gradescope) -> None:
     scope.submit(node__py=SOLUTION)
     (scope.course / "exercises" / "criteria" / f"{STEM}.py").write_text("import rclpie\n")
@@ -310,6 +313,7 @@ def test_criteria_that_do_not_import_cost_nobody_a_point(scope: Gradescope) -> N
     assert scope.done.returncode != 0
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     ("python", "says"),
     [
@@ -349,6 +353,7 @@ def hosts(scope: Gradescope) -> list[int]:
 ENDLESS = "import time\ntime.sleep(600)\n"
 
 
+@pytest.mark.whole
 @pytest.mark.slow
 def test_time_out_is_told_and_leaves_no_process(scope: Gradescope) -> None:
     scope.submit(node__py=ENDLESS)
@@ -357,6 +362,7 @@ def test_time_out_is_told_and_leaves_no_process(scope: Gradescope) -> None:
     wait_until(lambda: not hosts(scope))
 
 
+@pytest.mark.whole
 @pytest.mark.slow
 def test_a_result_is_there_when_everything_is_killed_at_once(scope: Gradescope) -> None:
     scope.submit(node__py=ENDLESS)

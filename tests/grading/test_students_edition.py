@@ -132,6 +132,7 @@ def test_the_makefile_offers_what_is_there(edition: Path) -> None:
     assert "check that everything works here" in done.stdout
 
 
+@pytest.mark.whole
 def test_a_zip_holds_the_same_and_the_same_course_gives_the_same_bytes(edition: Path, tmp_path: Path) -> None:
     first, second = tmp_path / "one" / "course.zip", tmp_path / "two" / "course.zip"
     students_edition(ROOT, first)

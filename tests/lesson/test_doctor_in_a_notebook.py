@@ -34,6 +34,7 @@ def test_the_report_is_short_where_all_is_well_and_full_where_it_is_not(
     ]
 
 
+@pytest.mark.whole
 def test_its_verdict_is_that_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
     command = [sys.executable, "-P", "-m", "workbook.cli.main", "doctor"]
     outside = subprocess.run(command, capture_output=True, check=False).returncode == 0
