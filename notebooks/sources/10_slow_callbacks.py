@@ -192,8 +192,8 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 
 # %% [markdown]
 # All but one of the ten heartbeats are dropped. The heartbeat timer is overdue, so it fires once and then returns to
-# its schedule. It doesn't make up for missed **ticks**. Missed **messages** are different, because they wait in the
-# subscription's queue, up to its depth. The executor handles them later, one by one.
+# its schedule. It doesn't make up for missed **ticks**. **Messages** that arrive in the meantime aren't dropped: they
+# wait in the subscription's queue, up to its depth. The executor handles them later, one by one.
 #
 # So *keep callbacks short*: store or publish something, and return. But some work takes a long time: planning a path,
 # running a neural network, or waiting for a gripper. The rest of this lesson shows where to put such work.
@@ -218,7 +218,7 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 #         rclpy.try_shutdown()
 # ```
 #
-# (Newer documentation also mentions an `EventsExecutor`. Don't use it: it's experimental, and in this build of rclpy,
+# (You may also read about an `EventsExecutor`. Don't use it: it's experimental, and when we tested it with this build,
 # its `spin` didn't run any callbacks.)
 #
 # The node doesn't change. How many of the 50 heartbeats arrive now?
@@ -257,8 +257,8 @@ show_machine(
 )
 
 # %% [markdown]
-# Look at the wait set while `think` is running. Where the heartbeat timer was, there's now a dash, because the executor
-# doesn't even check that timer.
+# Look at the wait set, the list of everything that the executor waits for, while `think` is running. Where the
+# heartbeat timer was, there's now a dash, because the executor doesn't even check that timer.
 #
 # Three of the four threads are idle. That's because each callback belongs to a **callback group**. Unless you choose
 # another group, a callback belongs to the node's default group. This group is *mutually exclusive*: only one of its
@@ -514,8 +514,8 @@ yours(lost, 0, "threading.Lock()")
 # ## When it goes wrong
 #
 # **More threads, but no speedup.** While a planner *waits* for a sensor or another program, the processor is free for
-# other work. While it *computes*, the processor is busy. Let's run four callbacks, in one thread and in four. First,
-# all of them wait. Then, all of them compute in Python:
+# other work. While it *computes*, the processor is busy. Let's run four callbacks, on a single thread and on four
+# threads. In the first test, all of the callbacks wait. In the second one, all of them compute in Python:
 
 
 # %%
@@ -571,7 +571,7 @@ for name, usual in (("wait", (2, 4.5)), ("compute", (0.2, 2))):
 # can't compute at the same time. If a computation must not delay the heartbeat, run it in **another process**. (NumPy
 # and most AI libraries release the GIL while they compute, so measure before you choose.)
 #
-# **Exceptions in a thread pool go unreported.** A callback can also hand slow work over to a separate thread or to a
+# **Exceptions in a thread pool go unreported.** A callback can also hand slow work off to a separate thread or to a
 # thread pool. In this program, every plan fails:
 
 # %%
@@ -656,7 +656,8 @@ print("failures logged:", about(len(failures), between=(2, 6), digits=1))
 # ## From a worked example to your own
 #
 # **Worked example.** A guide robot plans a path on request. The solution has two parts: a group for the slow callback
-# and an executor with two threads. The callbacks share only a list, and only one of them writes to it.
+# and an executor with two threads. The callbacks share no data: `beat` uses only `self.beats`, and `on_goal` uses only
+# `self.paths`.
 
 # %%
 from std_msgs.msg import String
@@ -701,7 +702,7 @@ print("heartbeats in 4 s:", about(guide.beats, between=(20, 42)))
 # time. Two of them waited in the subscription's queue, and the robot planned all three paths in order. The *mutually
 # exclusive* group guarantees that order.
 #
-# **Fill in the blanks.** This version uses a queue and its own worker thread. The callbacks just hand over the work, so
+# **Fill in the blanks.** This version uses a queue and its own worker thread. The callbacks just hand off the work, so
 # *one* thread is enough for them, and a plain `run` will do. Replace each `...` with your code.
 #
 # [the same without helpers: run]
@@ -766,7 +767,7 @@ yours(
 # </details>
 # <details><summary>b) <code>spin</code> raises the exception, and the program ends</summary>
 #
-# ✗ That happens if the callback itself raises an exception. This callback only handed over the work.
+# ✗ That happens if the callback itself raises an exception. This callback only handed off the work.
 #
 # </details>
 # <details><summary>c) A traceback, and then no more plans, because the pool's thread has ended</summary>
@@ -802,7 +803,7 @@ yours(
 # </details>
 # <details><summary>b) No: put both into one group, or protect the line with a lock</summary>
 #
-# ✓ Either one works. If the callbacks are short, the group is simpler.
+# ✓ Either one works. If the callbacks are short, putting both into one group is simpler.
 #
 # </details>
 # <details><summary>c) Yes: both groups are mutually exclusive</summary>
@@ -824,7 +825,7 @@ yours(
 # ✗ A busy group doesn't lose messages. They wait in their subscription's queue, up to its depth.
 #
 # </details>
-# <details><summary>c) The robot plans for one goal after another, in the order in which they arrived</summary>
+# <details><summary>c) The robot plans for the goals one after another, in the order in which they arrived</summary>
 #
 # ✓ Two goals wait in the subscription's queue. The last plan is ready after about 2.4 s.
 #

@@ -8,7 +8,7 @@
 # - **You need:** lessons [05](05_timers.ipynb) and [10](10_slow_callbacks.ipynb)
 # - **You will be able to:**
 #   - recognize polling and callbacks in a program
-#   - compare them by latency, missed messages, and CPU time
+#   - compare their latency, missed messages, and CPU time
 #   - replace a polling loop with callbacks
 # - **Not covered:** choosing a queue depth (lesson 13), and real-time systems
 
@@ -16,8 +16,8 @@
 # **Polling** means checking again and again whether something has happened. With a **callback**, your code doesn't have
 # to check: rclpy calls the callback when a message arrives.
 #
-# This robot does both. The sensor in its hand numbers each touch and publishes the number. Two monitors report the
-# touches: one polls, and the other uses a callback.
+# The following robot uses both approaches. The sensor in its hand numbers each touch and publishes the number. Two
+# monitors report the touches: one polls, and the other uses a callback.
 
 # %%
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
@@ -51,9 +51,9 @@ stop()
 #
 # In A, a second thread spins the node, so rclpy calls `keep` for each touch. The loop itself only polls.
 #
-# The hand grips one object after another, so the touches come in bunches. After each pause, up to six arrive at almost
-# the same moment. In about five seconds, there are 120 touches, and A polls about 100 times. How many of the 120
-# touches does A report?
+# The hand grips one object after another, and a grip can cause several touches. So the touches come in bunches: after
+# each pause, up to six arrive at almost the same moment. In about five seconds, there are 120 touches, and A polls
+# about 100 times. How many of the 120 touches does A report?
 #
 # - **a** Fewer than half.
 #   when `reported < sent / 2`
@@ -74,8 +74,8 @@ predict("the-touches")
 # ## Run it
 #
 # A referee node subscribes to the touches and to both monitors' reports. Each message carries the time at which it was
-# sent. If a callback takes a second argument, rclpy also passes it information about the message, which includes this
-# timestamp. So the referee can compute each report's delay, no matter how busy the referee itself is.
+# sent. If a callback takes a second argument, rclpy passes a dictionary with information about the message, including
+# this timestamp. So the referee can compute each report's delay, no matter how busy the referee itself is.
 #
 # [the same without helpers: start, init, fresh, run]
 
@@ -190,8 +190,7 @@ show(
 
 # %% [markdown]
 # A cross marks a touch that the monitor didn't report. The polling monitor stores only *the last* touch: if five arrive
-# between two polls, `monitor.last` contains the fifth. So each poll finds at most one touch, and it finds that touch
-# late.
+# between two polls, `monitor.last` contains the fifth. So each poll finds at most one touch, and even that one late.
 #
 # The time from an event to the reaction is called **latency**. The next plot shows each report's latency on a
 # logarithmic axis: 1 to 10 ms takes up as much space as 10 to 100 ms.
@@ -237,8 +236,8 @@ squeeze(
 )
 
 # %% [markdown]
-# **Your turn.** Suppose that you have to poll. What's the longest sleep that never breaks an egg, even in the worst
-# case? Ignore the millisecond that the message takes to arrive.
+# **Your turn.** Suppose that you have to poll. How long can the loop sleep if no egg may break, even in the worst case?
+# Ignore the millisecond that the message takes to arrive.
 
 # %% id="your-sleep"
 from workbook.lesson import yours
@@ -381,7 +380,7 @@ print("the callback takes", idle)
 # ### Experiment 3: a queue for the loop
 #
 # Instead of overwriting `monitor.last`, the callback now adds each touch to a queue, and each poll empties that queue.
-# The sleep is 50 ms again. How good are the reports now?
+# The sleep is 50 ms again. How complete and how fast are the reports now?
 #
 # - **a** Complete, but late.
 #   when `is_complete and late_ms >= 10`
@@ -407,7 +406,7 @@ print("typical delay:", typical(patient, "polling", (10, 100)))
 reveal("a-queue-for-the-loop", is_complete=is_complete, late_ms=late_ms)
 
 # %% [markdown]
-# The loop no longer loses any touches. But every subscription already has a queue, so adding your own is redundant. As
+# The loop no longer misses any touches. But every subscription already has a queue, so adding your own is redundant. As
 # soon as a message enters the subscription's queue, an idle executor runs your callback. The loop only adds a delay.
 #
 # **When polling is right.** A controller that steers five times a second doesn't need every distance that the sensor
@@ -623,8 +622,8 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 #
 # <details><summary>a) About 0.1 s</summary>
 #
-# ✓ The delay is anything from 0 to 0.2 s, so the average is 0.1 s. This average covers only the events that the loop
-# notices at all.
+# ✓ The delay is anything from 0 to 0.2 s, so the average is 0.1 s. This average doesn't include the events that the
+# loop misses.
 #
 # </details>
 # <details><summary>b) 0.2 s</summary>
@@ -662,7 +661,7 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 #
 # <details><summary>a) It polls only a few times a second</summary>
 #
-# ✗ Then its callbacks would run late. But in this lesson, the callback was only about a millisecond late.
+# ✗ If it did, its callbacks would run late. But in this lesson, the callback was only about a millisecond late.
 #
 # </details>
 # <details><summary>b) It sleeps until the operating system wakes it for a message or a timer</summary>
@@ -738,12 +737,12 @@ yours(reception.greeted, ["Ada", "Grace"], "Greet each visitor in on_call.")
 # %% [markdown]
 # ## Take away
 #
-# - On average, a polling loop notices a message half the sleep time after it arrives. If the callback stores only the
+# - On average, a polling loop notices a message with a delay of half the sleep time. If the callback stores only the
 #   last of several messages, the loop misses the others.
 # - Polling more often shortens the delay, but it costs more CPU time and still misses messages. Polling without a sleep
 #   is slow *and* expensive.
-# - A callback runs once for each message. It runs as soon as the message arrives, if the executor's thread is free.
-#   Waiting for messages costs almost no CPU time.
+# - A callback runs once for each message. If the executor's thread is free, the callback runs as soon as the message
+#   arrives. Waiting for messages costs almost no CPU time.
 # - React to an event in the callback. Store a state, and read it with a timer.
 # - A loop around `spin_once(timeout_sec=0)` keeps a CPU core busy for nothing. `rate.sleep()` never returns unless
 #   another thread spins the node.

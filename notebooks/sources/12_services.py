@@ -124,8 +124,8 @@ predict("call-in-a-callback")
 # ## Run it
 #
 # `try_out` runs the node in a separate process for two seconds and records its messages. The node also publishes a
-# message on `/robot/asked` for each request, and one on `/robot/answered` for each response. The server is in another
-# node, which has its own thread.
+# message on `/robot/asked` for each request, and one on `/robot/answered` for each response. A separate thread spins
+# the server's node.
 
 # %% id="deadlock"
 from lesson_nodes import heart_and_question
@@ -301,7 +301,7 @@ yours(
 # |---|---|---|
 # | Who takes part? | any number of publishers and subscriptions | one client sends a request, one server responds |
 # | Is arrival confirmed? | no | yes, by the response |
-# | When does data flow? | when there's news, or at a fixed rate | on request |
+# | When does data flow? | when there's something new, or at a fixed rate | on request |
 # | If the other side is missing | by default, the message is lost | see experiment 3 |
 # | Good for | joint angles, battery, camera, status | switch on, reset, self-test, "take an image now" |
 #
@@ -361,7 +361,7 @@ reveal(
 # %% [markdown] prediction="slow-server"
 # ### Experiment 2: a slow server
 #
-# Now the server takes 0.35 s to respond, not a millisecond. In all three cases below, the responses arrive. The
+# Now the server takes 0.35 s to respond instead of a millisecond. In all three cases below, the responses arrive. The
 # heartbeat timer is in the default group. In which cases does it keep firing *while* a call is pending?
 #
 # - `call`, own group, 4 threads
@@ -565,8 +565,8 @@ stop()
 yours(received, [answered.result().message], "future.result().message")
 
 # %% [markdown]
-# **A handler that doesn't return the response.** rclpy passes the request and an empty response to the handler. The
-# handler has to fill in the response *and return it*. This handler only fills it in.
+# **A handler that doesn't return the response.** rclpy passes the request and an empty response to the server's
+# callback, the *handler*. The handler has to fill in the response *and return it*. This handler only fills it in.
 
 
 # %% id="no-return"
@@ -600,7 +600,7 @@ except TypeError as error:
 print("the guest's call is", state(greeting))
 
 # %% [markdown]
-# rclpy got `None` instead of a response, so it raised a `TypeError()` without a message. In an ordinary program, the
+# rclpy got `None` instead of a response, so it raised a `TypeError` without a message. In an ordinary program, the
 # traceback ends with a bare `TypeError`, and the *server* process exits. The client's call stays open, as in experiment
 # 3. One line fixes the handler:
 
@@ -751,8 +751,8 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #
 # <details><summary>a) The callback returns after a few milliseconds</summary>
 #
-# ✗ By then, the response has reached the process. But the only thread is waiting in `call`, so that thread can't take
-# the response.
+# ✗ By then, the response has reached the process. But the only thread is waiting in `call`, so it can't take the
+# response.
 #
 # </details>
 # <details><summary>b) The node hangs, but only until the server is called again</summary>
@@ -850,7 +850,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two pieces of advice. We tested both with this course's rclpy, and both failed.
+# Watch for these two suggestions. We tested both with this course's rclpy, and both failed.
 #
 # - **`await client.call_async()` is safe in any callback:** By default, the client and the callback are in the same
 #   group. The response has to wait for that group, so it never reaches the callback.
@@ -863,7 +863,8 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # %% [markdown]
 # ## Take away
 #
-# - A topic has any number of publishers and subscriptions. A service call consists of one request and one response.
+# - A topic can have any number of publishers and subscriptions. A service call consists of one request and one
+#   response.
 # - The executor takes a response when one of its threads *and* the client's callback group are free.
 # - In a callback, `call` hangs if the executor has one thread, or if the client and the callback share a mutually
 #   exclusive group. `await` hangs only in the second case.

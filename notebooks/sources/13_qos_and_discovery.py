@@ -1,15 +1,15 @@
 # %% [markdown]
 # # 13 · QoS and discovery
 #
-# A dashboard starts hours after the robot. Which of the robot's messages does it still receive, and why only those?
-# And how does it notice that the robot has gone silent?
+# A dashboard starts hours after the robot. Which of the robot's earlier messages does it still receive, and why does it
+# miss the others? And how does it notice that the robot has gone silent?
 #
 # - **Minutes:** 50
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb) to 05: publishers, subscriptions, timers
 # - **You will be able to:**
 #   - explain why a subscription receives a message, or why it doesn't
 #   - predict which messages reach a program that starts late
-#   - detect silence with a deadline or with a timer that checks the clock
+#   - detect silence, either with a deadline or by checking the age of the last message
 # - **Not covered:** three more policies (liveliness, lifespan, and history), discovery servers, and vendor-specific DDS
 #   settings
 
@@ -46,7 +46,7 @@ graph_picture()
 # when it starts. The other programs reply with lists of their publishers and subscriptions. This process is called
 # **discovery**, and DDS, the layer below ROS, takes care of it.
 #
-# In the figure, arrows connect each node to the topics that it publishes or subscribes to.
+# In the figure, arrows connect each node to the topics that it publishes to or subscribes to.
 
 # %%
 stop()
@@ -55,7 +55,7 @@ stop()
 # ## Predict
 #
 # Losing a heartbeat does no harm, because the next one follows soon. So the robot publishes its heartbeat with
-# best-effort reliability:
+# best-effort reliability, which means that a lost message isn't sent again:
 #
 # ```python
 # BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, ...)
@@ -139,12 +139,11 @@ reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 # Every publisher and every subscription has a **QoS profile** (QoS stands for *quality of service*), which is a set of
 # **policies**. The publisher **offers** its profile, and the subscription **requests** one. DDS compares the two
 # profiles policy by policy. It *matches* the two sides only if every offered policy is at least as good as the
-# requested one. The arrows in the figure above don't show whether two sides match, because they depend only on topic
-# names.
+# requested one. The figure above doesn't show whether two sides match, because its arrows depend only on topic names.
 #
 # The robot offered best effort, but the monitor requested reliable delivery, because it passed just `10`, which is
 # short for `QoSProfile(depth=10)`. In that profile, all other policies have their default values. The next cell prints
-# two policies of that profile, and then the same two of a predefined profile:
+# two of that profile's policies, and then the same two policies for a predefined profile:
 
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
@@ -179,8 +178,9 @@ print(verdict.name)
 print(reason)
 
 # %% [markdown]
-# On a real robot, most profiles are in other people's code. But each node announces its profiles, so `topic_info` can
-# collect them and check each pair for compatibility. In a ROS installation, `ros2 topic info -v` lists the profiles.
+# On a real robot, most profiles are set in other people's code. But each node announces its profiles, so `topic_info`
+# can collect them and check each pair for compatibility. In a ROS installation, `ros2 topic info -v` lists the
+# profiles.
 
 # %% id="topic-info"
 from workbook.ros import topic_info
@@ -197,8 +197,8 @@ await run(robot, monitor, seconds=20, until=lambda: len(monitor.heard) == 8)
 print("heard:", len(monitor.heard))
 
 # %% [markdown]
-# **Your turn.** A camera offers best effort and volatile. A viewer needs only the newest image. Write the profile for
-# the viewer's subscription, with `depth`, `reliability`, and no other policy.
+# **Your turn.** A camera offers best-effort reliability and volatile durability. A viewer needs only the newest image.
+# Write the profile for the viewer's subscription, with `depth`, `reliability`, and no other policy.
 
 # %% id="your-camera"
 from rclpy.qos import ReliabilityPolicy
@@ -221,7 +221,7 @@ yours(
 #   publisher matches a best-effort subscription.
 # - *"DDS doesn't report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear in
 #   the log above. But each side logs only one line per mismatch. That line appears only after discovery, and only while
-#   the side's node is spinning.
+#   the node on that side is spinning.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
@@ -312,8 +312,9 @@ yours(
 # %% [markdown] prediction="the-silence"
 # ### Experiment 2: when a publisher goes silent
 #
-# The last row of the table is the **deadline**. The robot promises at most 0.5 s between two beats. A watcher requests
-# at most 1.0 s, which is less strict, so the two match. The watcher also passes a callback for missed deadlines:
+# The third policy in the table above is the **deadline**. The robot promises at most 0.5 s between two beats. A watcher
+# requests at most 1.0 s, which is less strict, so the two match. The watcher also passes a callback for missed
+# deadlines:
 #
 # ```python
 # SubscriptionEventCallbacks(deadline=self.on_missed)
@@ -416,8 +417,8 @@ print("next beat:   ", about(after_s[2], "s after the last beat", between=(2.1, 
 # - DDS measures the time from the last message, so there's no event before the first message.
 # - No event reports that messages are arriving again. Your code can detect that only in `on_beat`.
 #
-# A timer that checks the clock can detect the silence, too. That takes a little more code, but the publisher doesn't
-# have to offer a deadline.
+# You can also detect the silence with a timer whose callback checks the age of the last message. That takes a little
+# more code, but the publisher doesn't have to offer a deadline.
 #
 # **Your turn.** The robot offers a deadline of 0.5 s. Which of these requests match that offer: 0.2, 0.5, 1.0, or 3.0 s?
 
@@ -458,8 +459,9 @@ print("publishers that it has found:", impatient.subscription.get_publisher_coun
 
 # %% [markdown]
 # The status didn't arrive. Deadlines work like the other policies in the table: if you request one, the publisher has
-# to offer one. Otherwise, DDS doesn't match the two sides. The warning ends with the policy's name, `DEADLINE`. To fix
-# this, make the publisher offer a deadline. Or drop the request, and check the clock with a timer instead.
+# to offer one. Otherwise, DDS doesn't match the two sides. The warning in the log ends with the policy's name,
+# `DEADLINE`. To fix this, make the publisher offer a deadline. Or drop the request, and use a timer to check the age of
+# the last message instead.
 
 # %% [markdown]
 # **Same topic, different types.** The robot runs in its own process and publishes text. This node subscribes to the
@@ -609,7 +611,7 @@ stop()
 #
 # </details>
 #
-# **2. A publisher offers reliable and transient local. A subscription requests best effort and volatile. What arrives?**
+# **2. A publisher is reliable and transient local. A subscription is best effort and volatile. What arrives?**
 #
 # <details><summary>a) Nothing, because the profiles differ</summary>
 #
@@ -706,11 +708,11 @@ stop()
 # **The map:** reliable and transient local, with depth 1 on the publisher. The tablet has to request transient local,
 # too.
 #
-# **The emergency stop:** Reliable isn't enough, because a stop message that doesn't arrive stops nothing. Reverse the
-# logic: the tablet sends "go on" as a heartbeat, and the robot stops when the heartbeat does.
+# **The emergency stop:** reliable delivery isn't enough, because a stop message that doesn't arrive stops nothing.
+# Reverse the logic: the tablet sends "keep going" as a heartbeat, and the robot stops when the heartbeat does.
 #
-# **The lost connection:** a deadline on the scan, offered by the robot, or a timer that checks the clock. The tablet
-# should display the age of its data.
+# **The lost connection:** a deadline on the scan, offered by the robot, or a timer that checks the age of the last
+# message. The tablet should display the age of its data.
 #
 # Good answers add that a deadline takes effect only after the first message. They also recommend testing all of this by
 # pulling the plug.
@@ -737,8 +739,8 @@ stop()
 #   `topic_info` give the reason.
 # - With transient local on both sides, a late subscription gets the publisher's last `depth` messages right away. Use
 #   it for states.
-# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock doesn't
-#   depend on the publisher.
+# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the age of the last
+#   message works with any publisher.
 # - If both sides are listed, but nothing arrives and nothing is logged, compare the types.
 #
 # **Before:** [12 · Services](12_services.ipynb)

@@ -14,7 +14,7 @@
 # %% [markdown] prediction="first-words"
 # ## Predict
 #
-# A listener, a node with a subscription, is already running. Then a program starts and creates a publisher. Its next
+# A listener (a node with a subscription) is already running. Then a program starts and creates a publisher. Its next
 # lines publish `hello`, `here`, and `I am`. The program waits until it has discovered the listener, and then exits. The
 # publisher and the subscription are both reliable and volatile. We start six such programs, one after another. How many
 # of the eighteen messages arrive?
@@ -36,8 +36,8 @@ predict("first-words")
 # %% [markdown]
 # ## Run it
 #
-# We call the six programs *newcomers*. `greet` runs them (`lesson_nodes/first_words.py`) and returns how many
-# milliseconds each one took to discover the listener.
+# We call the six programs *newcomers*. Each of them runs `lesson_nodes/first_words.py`. `greet` starts them one after
+# another and returns how many milliseconds each one took to discover the listener.
 #
 # [the same without helpers: init, fresh, run]
 
@@ -103,8 +103,8 @@ for fix, words in FIXES.items():
     print(f"{len(ears.heard)} of 12 arrived: {words}")
 
 # %% [markdown]
-# For the second fix, pass a callback to `create_publisher`. rclpy calls it when a match is reported, but only while the
-# node is spinning:
+# To wait for the matched event, pass a callback to `create_publisher`. rclpy calls it when a match is reported, but
+# only while the node is spinning:
 #
 # ```python
 # self.create_publisher(
@@ -114,7 +114,8 @@ for fix, words in FIXES.items():
 # ```
 #
 # One caveat: your program may discover a listener a moment before the listener discovers your program. A reliable
-# publisher then sends its messages again. But with best effort, the first messages can still be lost.
+# publisher resends the messages that the listener missed in between. But with best effort, these messages can still be
+# lost.
 
 # %% [markdown]
 # ### How long does discovery take?
@@ -210,8 +211,8 @@ got_the_old = ["old" in messages for messages in heard.values()]
 print("pairs that got the old message: ", sum(got_the_old))
 
 # %% [markdown]
-# The old message arrived only in the pair where *both* sides are reliable *and* transient local. In five of the nine
-# pairs in which messages arrived, the two profiles differ.
+# Messages arrived in nine pairs, and in five of these, the two profiles differ. The *old* message, sent before the
+# subscription existed, arrived in only one pair: the one in which *both* sides are reliable *and* transient local.
 #
 # **Your turn.** Write the rule that decides whether a pair matches. Here, each profile is a tuple of two levels, one
 # for reliability and one for durability. Level 0 is the weaker value (best effort or volatile), and level 1 is the
@@ -241,8 +242,8 @@ yours(
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A different type in the same process.** In lesson 13, two processes used different types on one topic, but Fast DDS
-# logged nothing. Within one process, however, the middleware does compare the types:
+# **A different type in the same process.** In lesson 13, two processes used different types on the same topic, and Fast
+# DDS logged nothing. Within one process, however, the middleware does compare the types:
 
 
 # %% id="other-type" tags=["raises-exception"]
@@ -277,25 +278,24 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
 
 # %% [markdown]
 # Like any other program, a tool such as `ros2 topic` runs in only one domain, so it can't show you both of these
-# programs. If a topic isn't listed, there are three possible causes. The other program is in a different domain
-# (`ROS_DOMAIN_ID`), it's on a different network, or it isn't running. If a topic is listed but no messages arrive,
-# check QoS and types.
+# programs. If a topic isn't listed, the other program is in a different domain (`ROS_DOMAIN_ID`), it's on a different
+# network, or it isn't running. If a topic is listed but no messages arrive, check the QoS and the types.
 #
 # **In a container: a topic is listed, but nothing arrives.** Fast DDS sends messages through shared memory (`/dev/shm`)
-# if it detects that both programs are on one machine. Suppose a container shares its host's network, but not
-# `/dev/shm`. Fast DDS then still assumes that the two programs are on one machine. As a result, every topic is listed,
-# but no message arrives. To fix this, share `/dev/shm` and run both programs as the same user (`--ipc=host`, `--user`).
-# Or turn off shared memory, as this workbook does. `workbook doctor` checks all of these settings.
+# if it detects that both programs are on the same machine. Suppose a container shares its host's network, but not
+# `/dev/shm`. Then Fast DDS still assumes that the two programs are on the same machine. As a result, every topic is
+# listed, but no message arrives. To fix this, share `/dev/shm` and run both programs as the same user (`--ipc=host`,
+# `--user`). Or turn off shared memory, as this workbook does. `workbook doctor` checks all of these settings.
 
 # %% [markdown]
 # ## Take away
 #
-# - A message that was published before the match is lost, even with reliable QoS. Wait until
+# - By default, messages published before the match are lost, even with reliable QoS. Wait until
 #   `get_subscription_count()` is above 0, wait for the matched event, or make both sides transient local.
 # - Discovery takes anywhere from milliseconds to seconds, so don't sleep for a fixed time.
 # - Nine of the sixteen pairs match: those in which the subscription requests no more than the publisher offers.
-# - If a topic isn't listed, check the domain and the network. If it's listed, but no messages arrive, check QoS, types,
-#   and shared memory.
+# - If a topic isn't listed, check the domain and the network. If it's listed but no messages arrive, check the QoS, the
+#   types, and shared memory.
 #
 # **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)
 #

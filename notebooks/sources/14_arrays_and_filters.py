@@ -83,7 +83,7 @@ print([round(average.step(value), 2) for value in (0.9, 0.9, 0.9, 0.3, 0.3, 0.3)
 # To measure noise and delay separately, we feed a filter two signals. The first is pure noise: how much of it remains?
 # The second is a ramp that rises by 1 with each message: how far does the result lag behind?
 #
-# Now we average 16 messages instead of 4. How do noise and delay change?
+# Suppose we average 16 messages instead of 4. How do noise and delay change?
 #
 # - **a** Half the noise remains, and the delay is five times as long.
 #   when `noise_ratio > 0.4 and delay_ratio > 4.5`
@@ -185,8 +185,8 @@ await slide(
 )
 
 # %% [markdown]
-# **Your turn.** A controller accepts angles that are at most 0.3 s late. At 20 messages a second, what's the longest
-# average that you can use? Check your number with the slider.
+# **Your turn.** A controller accepts angles that are at most 0.3 s late. At 20 messages a second, how many messages can
+# your moving average span? Check your number with the slider.
 
 # %% id="your-length"
 longest = ...  # TODO: a whole number, from (N - 1) / 2 messages of 1 / 20 s each
@@ -315,16 +315,17 @@ show(fig, "noise against delay: both filters fall from little delay to little no
 # comes close. So **start from the delay that the robot can tolerate.** A balance controller can't use an angle that's
 # 0.3 s old, but a display can.
 #
-# For the same delay, the Butterworth filter never leaves less noise than the moving average. So why use it? Our noise
-# is an equal mixture of all frequencies, but many disturbances on a robot have a single frequency.
+# At the same delay, the Butterworth filter always leaves at least as much noise as the moving average. So why use it?
+# Our noise is an equal mixture of all frequencies, but many disturbances on a robot have a single frequency.
 
 # %% [markdown] prediction="vibrating-motor"
 # ## Change it
 #
 # ### Experiment 1: a vibrating motor
 #
-# A motor shakes the elbow 5.6 times a second, by 0.05 rad. We try two filters with a delay of about 0.2 s: an average
-# of 9 messages, and a Butterworth filter with a 1 Hz cutoff. How much of the vibration does each filter leave?
+# A motor makes the elbow vibrate 5.6 times a second, with an amplitude of 0.05 rad. We try two filters with a delay of
+# about 0.2 s: an average of 9 messages, and a Butterworth filter with a 1 Hz cutoff. How much of the vibration does
+# each filter leave?
 #
 # - **a** The average leaves less, as it did with noise.
 #   when `average_left < 0.5 * butterworth_left`
@@ -376,7 +377,7 @@ show(
 # %% [markdown]
 # At 2.2 Hz and its multiples, nine messages span a whole number of cycles, so the average removes these vibrations
 # completely. If you know a disturbance's exact frequency, and it never changes, an average of the right length is best.
-# But a motor's speed changes, so choose the Butterworth filter.
+# But a motor's speed varies, so for this vibration, the Butterworth filter is the better choice.
 
 # %% [markdown] prediction="message-fifty-again"
 # ### Experiment 2: a filter without delay
@@ -424,13 +425,13 @@ reveal("message-fifty-again", difference=float(abs(early - late)))
 
 # %% [markdown]
 # `sosfiltfilt` and the older `filtfilt` avoid the delay by **using later values**. A callback doesn't have those values
-# yet. So use these functions only for recordings: to plot a smooth curve, or to compare your live filter with an ideal
+# yet. So use these functions only on recordings: to plot a smooth curve, or to compare your live filter with an ideal
 # result.
 #
 # **Savitzky–Golay** filters look ahead, too. They fit a polynomial to a window of messages, and usually return the
-# polynomial's value in the *middle* of the window. With `pos=18`, the fit over 19 messages returns the value at the
-# window's *end*, so it needs no later messages. We test both versions, middle and end, with a ramp, noise, and a step
-# from 0 to 1.
+# polynomial's value in the *middle* of the window. The window below spans 19 messages. With `pos=18`, the index of the
+# last one, you get the value at the window's *end* instead, which needs no later messages. We test both versions,
+# middle and end, with a ramp, noise, and a step from 0 to 1.
 
 # %% id="line-through-the-last"
 from scipy.signal import savgol_coeffs
@@ -490,15 +491,17 @@ for name, one in filters.items():
     print(f"{name}: {number} results are NaN, and the last one is {results[-1]:.1f}")
 
 # %% [markdown]
-# NaN leaves this moving average after five messages, because each mean depends only on the messages in the window. A
-# filter with feedback computes each result from earlier results, so one NaN makes all later results NaN. Such a filter
-# is called **IIR**, *infinite impulse response*: each input affects all later results. A moving average with a running
-# sum has feedback, too: it adds the newest value and subtracts the oldest, and NaN − NaN is NaN.
+# The NaN drops out of this moving average after five messages, because each mean depends only on the messages in the
+# window. A filter with feedback computes each result from earlier results, so one NaN makes all later results NaN. Such
+# a filter is called **IIR**, *infinite impulse response*: each input affects all later results. A moving average that's
+# computed from a running sum has feedback, too. For each message, it adds the newest value to the sum and subtracts the
+# oldest, and NaN − NaN is NaN.
 #
 # So check each value *before* it reaches a filter, and replace each NaN with the last good value.
 #
-# **Your turn.** Write the line that replaces each NaN. `np.isfinite(angles)` is true for each angle that's a finite
-# number. `np.where(condition, a, b)` takes values from `a` where the condition is true, and from `b` elsewhere.
+# **Your turn.** Write the line that replaces each NaN. `np.isfinite(angles)` returns an array that holds `True` for
+# each finite number and `False` for any other value, such as NaN. `np.where(condition, a, b)` takes values from `a`
+# where the condition is true, and from `b` elsewhere.
 
 # %% id="your-last-good"
 angles, last_good = np.array([0.3, math.nan, -0.2]), np.array([0.1, 0.7, -0.1])
@@ -519,8 +522,8 @@ print("begun where the joint is:", round(Butterworth(1.0).step(0.9), 1))
 
 # %% [markdown]
 # For half a second, the filter reports a movement that never happened. So start from `sosfilt_zi(sos) * value`, the
-# state of a filter whose input has been `value` for a long time. The same thing happens when a sensor restarts at a
-# different position, because the filter still has its old state. Reset the state after a restart.
+# state of a filter whose input has been `value` for a long time. The same thing happens when a sensor restarts after
+# its joint has moved, because the filter still has its old state. Reset the state after a restart.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -611,7 +614,7 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 # </details>
 # <details><summary>b) Butterworth with a cutoff at 1 Hz</summary>
 #
-# ✓ It's about as late as the average of 9, but it leaves 2 % or less of these vibrations.
+# ✓ It adds about as much delay as the average of 9, but leaves 2 % or less of these vibrations.
 #
 # </details>
 # <details><summary>c) <code>sosfiltfilt</code> in the callback, because it has no delay</summary>
@@ -690,11 +693,11 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # <details><summary>What a good answer covers</summary>
 #
-# Before recommending a filter, a good answer asks how much delay the controller tolerates. It compares a moving average
-# or exponential smoothing with a low-order Butterworth filter, in terms of noise *and* delay. It keeps the filter's
-# state in the node and doesn't suggest `filtfilt`. It initializes the state with the first measurement, keeps NaN out,
-# and copies stamps and names. It resets the state when the source restarts. Finally, it asks whether you can reduce the
-# noise at the source.
+# Before recommending a filter, a good answer asks how much delay the controller tolerates. It compares simple filters
+# (a moving average or exponential smoothing) with a low-order Butterworth filter, in terms of noise *and* delay. It
+# keeps the filter's state in the node and doesn't suggest `filtfilt`. It initializes the state with the first
+# measurement, keeps NaN out, and copies the stamp and the joint names from each message to its result. It resets the
+# state when the source restarts. Finally, it asks whether you can reduce the noise at the source.
 #
 # </details>
 #
@@ -704,9 +707,9 @@ yours(seen, (3.0, 38), "self.result += PART * (value - self.result), and PART = 
 #
 # - **Call `filtfilt` in the callback:** It runs over the samples backward as well as forward, so it needs samples that
 #   haven't arrived yet. Its result for the newest message changes when the next one arrives.
-# - **Call `savgol_filter` on the last samples, because it has no delay:** It centers a window on each sample. There's
-#   no full window around the newest samples, so for these, it evaluates the polynomial that it fitted to the last full
-#   window. So the results for the newest samples change when the next message arrives.
+# - **Call `savgol_filter` on the last samples, because it has no delay:** It centers a window on each sample. The
+#   newest samples have no full window around them, so it evaluates the polynomial fitted to the last full window
+#   instead. As a result, the values for the newest samples change when the next message arrives.
 #
 # </details>
 

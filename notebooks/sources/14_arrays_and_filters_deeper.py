@@ -63,7 +63,7 @@ reveal("array-of-a-message", first=message.position[0])
 # `np.asarray` created a **view**: an array that uses the message's memory instead of its own. `np.array` created a
 # **copy**. A view costs almost nothing, but writing to a view changes the message.
 #
-# So use `np.asarray` if you only read, and `np.array` if you also write. Which other code does your change affect? In
+# So use `np.asarray` if you only read, and `np.array` if you also write. Which other code does such a write affect? In
 # this example, a node subscribes twice to the same topic. The first callback writes through a view:
 
 # %% id="own-object"
@@ -102,8 +102,8 @@ for name, messages in two.got.items():
 
 # %% [markdown]
 # For each message, rclpy creates a separate Python object **per subscription**. So your change doesn't affect other
-# callbacks or nodes. It appears only where *this* object is used: in a list that stores it, a method that receives it,
-# or a publisher that sends it.
+# callbacks or nodes. The change appears only where *this* object goes: to a list that stores it, a method that receives
+# it, or a publisher that sends it.
 #
 # In a **variable-length** field, rclpy stores numbers in an `array.array` from Python's standard library. Such an array
 # keeps its numbers next to each other in memory, without a Python object for each. That's why a view works. A
@@ -225,8 +225,8 @@ show(
 # For twelve joints, write the most readable code: `.tolist()`. For images and scans, don't loop over individual
 # numbers.
 #
-# **Your turn.** This scan has 10,000 distances. Without a loop, write the expression that counts the distances below 1
-# m.
+# **Your turn.** This scan has 10,000 distances. Write an expression that counts the distances below 1 m, without a
+# loop.
 
 # %% id="your-near"
 from workbook.lesson import yours

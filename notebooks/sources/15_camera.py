@@ -345,9 +345,10 @@ print("ball:      ", angles(*find_ball(pixels)))
 #
 # ### Close the loop
 #
-# Now connect the camera to the neck. For each image, a new node finds the ball, computes its angle, and turns the neck
-# by a quarter of that angle. The next image shows the remaining error, and the node corrects a quarter of that, too.
-# This is a **feedback loop**. The fraction that the node corrects each time, here a quarter, is the loop's **gain**.
+# Now connect the camera to the neck with a new node. For each image, this node finds the ball, computes the ball's
+# angle, and turns the neck by a quarter of that angle. The next image shows the remaining error, and the node corrects
+# a quarter of that, too. This is a **feedback loop**. The fraction that the node corrects each time, here a quarter, is
+# the loop's **gain**.
 
 # %%
 from workbook.pictures.graph import draw
@@ -471,9 +472,9 @@ show_film(
 
 # %% [markdown]
 # Without the loop, the ball would wander up to 250 px from the center. With the loop, the ball stays close to the
-# center, even though the node computes neither the ball's distance nor the exact turn. For example, because the camera
-# is tilted, centering a ball that appears 14.2° to the left takes a turn of 15.7°. But later corrections make up the
-# difference.
+# center, even though the node doesn't know the ball's distance. The node doesn't compute the neck's exact turn, either:
+# it uses the ball's angle in the image. Because the camera is tilted, centering a ball that appears 14.2° to the left
+# takes a turn of 15.7°. Later corrections make up the difference.
 
 # %% [markdown] prediction="smaller-gain"
 # ## Change it

@@ -13,7 +13,7 @@
 # ## Predict
 #
 # At 30 Hz, raw images of 921,600 bytes (without padding) add up to 27.6 MB/s. A `CompressedImage` carries a JPEG
-# instead. At quality 80, how many times smaller are our desk images?
+# instead. At quality 80, how many times smaller than the raw images are the JPEGs of our desk?
 #
 # - **a** More than 8 times.
 #   when `smaller > 8`
@@ -34,8 +34,8 @@ predict("how-much-smaller")
 # %% [markdown]
 # ## Run it
 #
-# The camera publishes the same frame over and over, so all raw images have one size, and all JPEGs have another. We
-# also record how old each image is by the time it's ready to use.
+# The camera publishes the same frame over and over, so all raw images have the same size, and so do all JPEGs. We also
+# record how old each image is by the time it's ready to use.
 
 # %% id="weigh"
 import time
@@ -105,8 +105,8 @@ show(
 
 # %% [markdown]
 # This compression ratio is specific to our synthetic desk scene, which consists mostly of smooth surfaces; expect a
-# lower one in a cluttered room. In bits, the raw images' 27.6 MB/s is 220 Mbit/s, more than many Wi-Fi networks can
-# carry.
+# lower one in a cluttered room. The raw images' 27.6 MB/s is equal to about 220 Mbit/s, more than many Wi-Fi networks
+# can carry.
 
 # %% [markdown]
 # ## Look inside
@@ -149,7 +149,7 @@ print(
 # old images, while the viewer receives fresh ones. This makes the problem hard to spot, because everything but the
 # detector looks fine.
 #
-# **Your turn.** The detector's queue is full: 30 images are waiting. How much older is the oldest of them than the
+# **Your turn.** The detector's queue is full: 30 images are waiting. How much older is the oldest image than the
 # newest?
 
 # %% id="your-queue"
@@ -163,8 +163,8 @@ yours(queue_spans_s, 29 / 30, "30 images have 29 intervals between them.")
 # %% [markdown]
 # The fix is a queue depth of 1. You might expect reliable QoS to help, too, but it wouldn't. DDS acknowledges an image
 # when it enters the queue, not when your callback has handled it. So a slow callback doesn't make the camera resend
-# anything. In our test on the loopback interface, no packets were lost. The camera sent as many image bytes with
-# reliable QoS as with best effort.
+# anything. In our test on the loopback interface, no packets were lost, so there was nothing to resend. The camera sent
+# as many image bytes with reliable QoS as with best effort.
 
 # %% [markdown]
 # ## Take away

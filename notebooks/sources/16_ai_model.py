@@ -230,16 +230,17 @@ show(
 )
 
 # %% [markdown]
-# Once the queue is full, each new image waits behind the others. At 30 Hz, a full queue of *n* images spans *n*/30 s,
-# so each image waits about that long. With a depth of 50, the queue takes about two seconds to fill, so a shorter test
+# Once the queue is full, each new image waits behind the others. Whenever a new image arrives, a full queue drops its
+# oldest one, so it always holds the newest *n* images. At 30 Hz, these span *n*/30 s, so an image that reaches the
+# network has waited about that long. With a depth of 50, the queue takes about two seconds to fill, so a shorter test
 # doesn't reveal the problem. The outputs keep getting older until the queue is full.
 
 # %% [markdown] prediction="thread"
 # ### Experiment 2: a thread for the newest image
 #
 # A timer in the node is set to publish a heartbeat ten times a second. But while the network runs in another callback
-# of this node, only about five heartbeats a second are published. Now that callback just stores the newest image, and a
-# separate thread runs the network. What changes?
+# of this node, only about five heartbeats a second are published. Suppose that this callback just stores the newest
+# image instead, and a separate thread runs the network. What changes?
 #
 # - **a** The heartbeat becomes regular. The outputs are as old as before.
 #   when `beats >= 1.3 * beats_before and age >= 0.2`
@@ -368,7 +369,8 @@ reveal(
 # %% [markdown]
 # A score isn't a probability: networks tend to be [more confident than they should
 # be](https://arxiv.org/abs/1706.04599). To choose the threshold, use images that weren't used for training. Then
-# consider the robot's task: it's better for a hand to miss a cup than to grab an arm.
+# consider the robot's task: for example, a hand that misses a cup does less harm than a hand that grabs someone's arm
+# by mistake.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -440,9 +442,10 @@ oldest_s = ...  # TODO: from 5 cm and 45 cm/s
 yours(oldest_s, 5 / 45, "Time is distance divided by speed.")
 
 # %% [markdown]
-# **Has the robot fallen?** An `Imu` message holds the acceleration that the sensor in the torso measures. At rest, this
-# acceleration is 9.81 m/s² and points up. If the robot is lying on its side, so is the sensor. Then the acceleration
-# points along the sensor's x or y axis, not along z.
+# **Has the robot fallen?** In the exercise, your node also detects falls, and for that, it needs the IMU, a sensor in
+# the torso. An `Imu` message holds the acceleration that this sensor measures. At rest, this acceleration is 9.81 m/s²
+# and points up. If the robot is lying on its side, so is the sensor. Then the acceleration points along the sensor's x
+# or y axis, not along z.
 
 # %% id="tilt"
 import math
@@ -465,8 +468,8 @@ for pose, up in (
     print(f"{pose + ':':<12} {tilt(Imu(linear_acceleration=up)):.0f}°")
 
 # %% [markdown]
-# A jolt can also make the robot look tilted for a sample or two. So count the tilted samples: report a fall only after
-# several *in a row*, and reset the count when a sample isn't tilted.
+# A jolt can also make the robot look tilted for a sample or two. So count the samples that show a tilt, and report a
+# fall only after several *in a row*. Reset the count at any sample that doesn't show one.
 #
 # **Your turn.** Complete the function. These samples contain a jolt that lasts two samples, and then a fall.
 
@@ -613,7 +616,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # **Deeper:** [16 · Deeper: falls, and where a model runs](16_ai_model_deeper.ipynb)
 #
-# **Next:** this is the last lesson so far.
+# **Next:** none yet; this is the last lesson.
 #
 # **More:** [ONNX Runtime in Python](https://onnxruntime.ai/docs/get-started/with-python.html) and
 # [QoS in Jazzy](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html).

@@ -13,8 +13,8 @@
 # - **Not covered:** recurrent networks, and graphics cards
 
 # %% [markdown]
-# Here are two *episodes*: in the first one, a robot bows, and in the second one, a robot falls. The IMU in the torso
-# measures the tilt.
+# Here are two *episodes*: in the first, a robot bows, and in the second, it falls. The IMU in the torso measures the
+# tilt.
 
 # %%
 from workbook.models.falls import RATE_HZ, all_windows, episodes, windows
@@ -47,10 +47,10 @@ show(
 # %% [markdown] prediction="tilt-or-window"
 # ## Predict
 #
-# We compare two ways to detect a fall. The *rule* raises an alarm when the tilt is larger than in any bow in the
-# training episodes. The *model* receives the last 0.2 s of tilt, tilt rate, hip angle, and knee angle, and it learns
-# from the training episodes. We tune both so that neither raises a false alarm in those episodes. In new falls, which
-# one raises the alarm first?
+# We compare two ways to detect a fall. The *rule* raises an alarm when the tilt exceeds the largest tilt of any bow in
+# the training episodes. The *model* receives a *window*: the last 0.2 s of tilt, tilt rate, hip angle, and knee angle.
+# It learns from the training episodes. We tune both so that neither raises a false alarm in those episodes. In new
+# falls, which one raises the alarm first?
 #
 # - **a** The model, by more than 0.1 s.
 #   when `gain > 0.1`
@@ -110,9 +110,9 @@ reveal("tilt-or-window", gain=median(rule.late_s) - median(learned.late_s))
 # %% [markdown]
 # ## Look inside
 #
-# A fall begins when nothing supports the body anymore, and from then on, each window is labeled as a fall. To test the
-# model, we held back whole episodes, not single windows. Neighboring windows share nine of their ten samples, so a
-# window next to a training window would hardly be new to the model.
+# In our data, a fall begins when the body is no longer held upright. From then on, each window is labeled as a fall. To
+# test the model, we held back whole episodes, not single windows. Neighboring windows share nine of their ten samples,
+# so a window next to a training window would hardly be new to the model.
 #
 # Here's the model's output, the *score*, together with one of its inputs, the hip angle:
 
@@ -156,8 +156,8 @@ print(f"a model that always says 'no fall': {fine:.1%}")
 
 # %% [markdown]
 # Falls are rare, so high accuracy (the share of correctly classified windows) means little. Even a model that never
-# reports a fall is right most of the time. Count the costly mistakes instead: late alarms and false alarms. The
-# threshold trades one for the other.
+# reports a fall is right most of the time. Count the costly mistakes instead: late alarms and false alarms. Choosing a
+# threshold means trading one for the other.
 
 # %% id="late-or-false"
 LEVELS = (0.1, 0.5, 0.9)
@@ -195,9 +195,9 @@ show(fig, "delay against false alarms: a low threshold is early and often wrong"
 # fall. To use the model in a node, keep the window in a `collections.deque(maxlen=10)`. Clear this deque when the node
 # that publishes the samples restarts.
 #
-# **Your turn.** Suppose that a false alarm costs as much as 1 ms of delay if the robot only stretches out its arms. If
-# the robot cuts its power, each false alarm costs as much as 50 ms of delay. For each threshold, add the cost of all
-# false alarms to the typical delay. Which of the three thresholds is cheapest in each case?
+# **Your turn.** Suppose that the robot only stretches out its arms. Then one false alarm is exactly as bad as 1 ms of
+# delay. If the robot cuts its power instead, one false alarm is as bad as 50 ms of delay. For each threshold, add the
+# cost of all false alarms to the typical delay. Which of the three thresholds is cheapest in each case?
 
 # %% id="your-threshold"
 from workbook.lesson import yours
@@ -351,7 +351,7 @@ show(
 )
 
 # %% [markdown]
-# So a model in pure Python doesn't stop the heartbeat. But each beat has to wait for the lock:
+# So a model in pure Python doesn't stop the heartbeat. But each beat has to wait for the GIL, the interpreter's lock:
 
 # %%
 import sys
@@ -359,16 +359,16 @@ import sys
 print("a thread that waits asks for the lock after", sys.getswitchinterval(), "s")
 
 # %% [markdown]
-# A callback may release the lock several times while it runs, and each time, it has to wait to get the lock back. And
-# under the GIL, two threads never run Python code at the same time, no matter how many cores there are. If C code holds
-# on to the lock, a thread doesn't help.
+# A callback may release the lock several times while it runs, and each time, it has to wait to get the lock back. More
+# cores don't help, because under the GIL, two threads never run Python code at the same time. And if C code holds on to
+# the lock, moving the model to a thread doesn't help, either.
 
 # %% [markdown] prediction="to-another-process"
 # ### A process next to the node
 #
 # A separate process has its own GIL. `ProcessPoolExecutor` starts such a process, pickles each image, and sends it to
-# the process through a pipe. We send an image of 160 by 120 pixels, and then one of 1,920 by 1,440. How much longer
-# does the large one take?
+# the process through a pipe. We send an image of 160 by 120 pixels, and then one of 1,920 by 1,440. How many times as
+# long does the large one take?
 #
 # - **a** Less than twice as long: waking the other process takes most of the time.
 #   when `ratio < 2`
@@ -432,8 +432,8 @@ print("longest silence:", about(beside_it.silence(), "s", between=(0.09, 1.4)))
 
 # %% [markdown]
 # It does: the node's thread waits for the result without holding the lock. We started the process with `spawn`, which
-# creates a new Python process that has to load the model itself. The alternative, `fork`, copies a process but only one
-# of its threads. The copy would lack the threads in which DDS runs, so don't use `fork` together with rclpy.
+# creates a new Python process that has to load the model itself. The alternative, `fork`, copies the process, but the
+# copy has only one of its threads. DDS's threads would be missing, so don't use `fork` together with rclpy.
 
 # %% [markdown] prediction="eight-at-once"
 # ### Eight images in one call
@@ -497,15 +497,15 @@ print("first call: ", about(first_ms, "ms", between=(0.3, 60), digits=3))
 print("second call:", about(second_ms, "ms", between=(0.3, 60), digits=3))
 
 # %% [markdown]
-# So after loading the network, call it once with a blank image, as a *warm-up*. Our network is small: in our test on an
-# idle machine, its first call took only 10% longer. A large network may take seconds for its first image. Subscribe to
-# the camera only after the warm-up.
+# So after loading the network, call it once with a blank image, as a *warm-up*. Because our network is small, its first
+# call took only 10% longer than the second in our test on an idle machine. A large network may take seconds for its
+# first image. Subscribe to the camera only after the warm-up.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The model raises an exception in a thread.** Python calls `threading.excepthook` with the exception, and ends only
-# that thread.
+# **The model raises an exception in a thread.** Python passes the exception to `threading.excepthook`, and only the
+# thread that raised it ends.
 
 # %% id="raised-in-a-thread"
 unseen = []
@@ -540,8 +540,8 @@ except Exception as fault:
 
 # %% [markdown]
 # To pickle a method, Python also has to pickle the object that the method is bound to. Here, that object is a node, and
-# a node can't be pickled. Instead, submit a function from a module, and pass it plain data. A function from a notebook
-# cell fails, too, because the other process can't import it.
+# a node can't be pickled. Instead, submit a function that's defined at the top level of a module, and pass it plain
+# data. A function that's defined in a notebook cell won't work, either, because the other process can't import it.
 #
 # **The process crashes.** A crash in C code ends the whole process immediately. To simulate such a crash, we make the
 # process exit with code 3:
@@ -552,7 +552,7 @@ import os
 pool.submit(os._exit, 3).result()
 
 # %% [markdown]
-# In a thread, this crash would have ended the node. Here, the node gets only an exception, and can start a new process.
+# In a thread, this crash would have ended the node. Here, the node just gets an exception and can start a new process.
 # That takes a while, and in this example, the model takes two more seconds to load. Does the heartbeat stop during that
 # time?
 
@@ -577,14 +577,15 @@ print("longest silence:", about(again.silence(), "s", between=(0.09, 1.4)))
 # - If falls are rare, accuracy (the share of correctly classified windows) means little. Count late alarms and false
 #   alarms instead.
 # - A thread is enough if the model releases the GIL. The interpreter makes Python code release it when another thread
-#   is waiting. C code releases it only if it was written to do so.
+#   is waiting. C code releases the GIL only if it was written to do so.
 # - A separate process protects the node from code that holds on to the GIL, and from crashes. Everything that you send
 #   to the process is copied, so keep the input small.
-# - Load the model and warm it up before the first image. On one core, a batch saves little and makes the outputs stale.
+# - Load the model and warm it up before the first image. On one core, batching saves little time and makes the outputs
+#   stale.
 #
 # **Before:** [16 · An AI model in a node](16_ai_model.ipynb)
 #
-# **Next:** this is the last lesson so far.
+# **Next:** none yet; this is the last lesson.
 #
 # **More:** [scikit-learn: common pitfalls](https://scikit-learn.org/stable/common_pitfalls.html),
 # [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

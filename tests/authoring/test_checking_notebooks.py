@@ -322,7 +322,7 @@ def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> 
     before = path.read_text(encoding="utf-8")
     assert write_links(course) == ["21_beeps", "22_lights"]
     assert "# **Next:** [22 · Lights](22_lights.ipynb)\n" in (course.sources / "21_beeps.py").read_text()
-    last = "# **Next:** this is the last"
+    last = "# **Next:** none yet"
     assert path.read_text() == before.replace(last, f"# **Before:** [21 · Beeps](21_beeps.ipynb)\n#\n{last}")
     assert write_links(course) == []
     path.unlink()

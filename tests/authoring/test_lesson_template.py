@@ -67,7 +67,7 @@ CASES = [
     ("# - **Missed ticks come later:**", "# - Missed ticks come later:", "two wrong claims, each as"),
     ("What a good answer covers", "Answer", "What a good answer covers"),
     ("# - Five\n", "", "exactly five lines that begin with '- ', it has 4"),
-    ("# **Next:** this is the last lesson so far.\n", "", "needs the line '**Next:** …'"),
+    ("# **Next:** none yet; this is the last lesson.\n", "", "needs the line '**Next:** …'"),
     ("https://docs.ros.org/en/jazzy/", "https://example.org/", "official documentation"),
     ("print(1 / 2.0)", "# !pip install beep\nprint(1 / 2.0)", "no set-up cell"),
     ("<summary>a) 10 Hz</summary>", "<summary>a) `10` Hz</summary>", "'a) `10` Hz' is shown as it is written"),

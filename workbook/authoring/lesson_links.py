@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from workbook.authoring.tree import Tree
 
-LAST = "this is the last lesson so far."
+LAST = "none yet; this is the last lesson."
 _PARAGRAPH = r"^# \*\*{name}:\*\*(?:.*\n)(?:# \S.*\n)*"
 _BEFORE = re.compile(_PARAGRAPH.format(name="Before"), re.MULTILINE)
 _NEXT = re.compile(_PARAGRAPH.format(name="Next"), re.MULTILINE)
