@@ -14,7 +14,7 @@
 # - **Not covered:** starting and ending a program properly (the next lesson)
 
 # %% [markdown]
-# Click into the code cell below, and press **Shift+Enter**. That runs the cell and selects the next one.
+# Click in the code cell below, and press **Shift+Enter**. That runs the cell and selects the next one.
 
 # %%
 from lesson_nodes import joint_position_publisher
@@ -68,12 +68,12 @@ await watch_robot(seconds=6, ease=0.4)
 stop()
 
 # %% [markdown]
-# The robot raises and lowers its left arm because *your* program publishes those angles. `init` starts ROS, and
-# `create_node` creates a *node*, the object through which the program talks to others. `create_publisher` takes a
-# message type and a topic. `move` fills a message with twelve angles in radians and publishes it. The timer calls
-# `move` every 0.1 s, and `spin` keeps the node running.
+# The robot raises and lowers its left arm because *your* program publishes its joint angles. `init` starts ROS, and
+# `create_node` creates a *node*, the object through which the program communicates with other programs.
+# `create_publisher` takes a message type and a topic. `move` fills a message with twelve angles in radians and
+# publishes it. The timer calls `move` every 0.1 s, and `spin` keeps the node running.
 #
-# **Your turn.** In the message's list, the third angle is for the left shoulder, and the fifth is for the right one.
+# **Your turn.** In the list of angles, the third one is for the left shoulder, and the fifth is for the right shoulder.
 # Write a list of twelve angles: 2.4 rad for the right shoulder, and 0.0 for every other joint. (`[0.0] * 7` is a list
 # of seven zeros.)
 
@@ -149,8 +149,8 @@ reveal("end-of-the-program")
 # array of numbers. A program can **publish** to a topic that has no subscribers, or **subscribe** to one that has no
 # publishers.
 #
-# So one of a robot's programs can crash without bringing down the others. The price is that your node itself has to
-# detect when a topic goes silent.
+# So one program on a robot can crash without bringing down the others. The price is that your node itself has to detect
+# when a topic goes silent.
 #
 # ### Programs find each other by topic names
 #
@@ -169,8 +169,8 @@ graph_picture()
 # Read the graph from left to right. `/humanoid_status_publisher` publishes to two topics, and `/status_monitor`
 # subscribes to both. Right now, no program subscribes to the joint positions, but they're published anyway.
 #
-# No program's code contains another program's name. The programs found each other through the names of their topics.
-# Here are the next two messages on one of these topics:
+# None of the programs mentions another one by name. They found each other through their topics' names. Here are the
+# next two messages on one of these topics:
 
 # %%
 from workbook.ros import topic_echo
@@ -194,17 +194,17 @@ yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 # turns it into a **node**. A node is a part of the robot's software that other programs can find and talk to. Those
 # programs may run on another computer or be written in another language.
 #
-# **Why does it matter?** On a humanoid, the camera drivers and the motor control are mostly written in C++, because
-# every millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
+# **Why does it matter?** On a humanoid, camera drivers and motor controllers are mostly written in C++, because every
+# millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
 # NumPy, OpenCV, and PyTorch. Nodes connect the two worlds:
 #
-# - With a few lines of code, a trained model becomes part of the robot. The model receives images on one topic and
+# - With a few lines of code, you can make a trained model part of the robot. The model receives images on one topic and
 #   publishes its detections on another.
 # - You can try an idea within minutes. Change a line and restart just that program while the rest of the robot keeps
 #   running.
 #
 # But Python has its limits, and we'll measure one of them. A control loop that has to run a thousand times a second,
-# without ever being a millisecond late, stays in C++. Your Python node sends it commands.
+# and never a millisecond late, belongs in C++. Your Python node sends it commands.
 #
 # rclpy is built on several other layers:
 
@@ -303,12 +303,12 @@ reveal("report-less-often")
 stop()
 
 # %% [markdown]
-# The robot's speed and its reporting rate are two different numbers. Beginners often mix them up.
+# The robot's speed and its reporting rate are different numbers. Beginners often confuse them.
 #
 # With `ease=0.5`, the drawing glides from one pose to the next. That looks fine, but the poses in between are made up.
-# Try it, and try other numbers, too.
+# Try it with other numbers, too.
 #
-# Or use a slider. Drag it while the next cell runs: each change restarts the program with the new number.
+# Or drag a slider while the next cell runs: each change restarts the program with the new number.
 
 # %%
 from workbook.lesson import knob
@@ -343,9 +343,9 @@ start(joint_position_publisher)
 topic_info("/robot/joint_postions")
 
 # %% [markdown]
-# The name is missing an `i`. Our tools suggest the name that you probably meant, but ROS itself doesn't. A subscriber
-# would wait silently on a topic that has no publisher. Misspelled names are very common, so if no messages arrive,
-# check the names first.
+# The name is missing an `i`. Our tools suggest the name that you probably meant, but ROS doesn't. A subscriber to the
+# misspelled topic would wait forever, without an error. Misspelled names are common, so if no messages arrive, check
+# the names first.
 
 # %%
 stop()
@@ -358,14 +358,14 @@ stop()
 # | `[*]` stays next to a cell | the cell is still running. The **■** button above stops it, as Ctrl-C does in a terminal |
 # | `NameError: name 'start' is not defined` | a cell above wasn't run, so choose *Run > Run All Above Selected Cell* |
 # | one or more robots are still waving | `stop()` ends all programs that this notebook has started |
-# | nothing makes sense anymore | the **⟳** button restarts the kernel. That deletes programs and variables, but your text stays |
+# | nothing makes sense anymore | the **⟳** button restarts the kernel. That ends the running programs and deletes variables, but your text stays |
 # | not even the first cell works | run `workbook doctor` in a terminal: it reports what's wrong with the machine |
 # | an exercise doesn't pass | `%check` names the first thing to fix; `%hint` gives up to three hints |
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked example.** You ran `my_wave.py` above. Take another look at it.
+# **Worked example.** Take another look at `my_wave.py` above.
 #
 # **Fill in the blanks.** Make the robot raise its *right* arm. Replace each `...` with your code, then run both cells.
 # Until you do, the second cell prints a reminder.
@@ -425,9 +425,9 @@ print("running:", start(humanoid_status_publisher))
 #     workbook topic echo /robot/battery --count 3
 #     workbook graph
 #
-# If several notebooks are open, `workbook` asks which one you mean. A full ROS 2 installation includes the command
-# `ros2`, which prints the same output. To use `ros2`, first set this notebook's domain in your terminal. The next cell
-# prints the command for that:
+# If several notebooks are open, `workbook` asks which one you mean. In a full ROS 2 installation, the counterpart of
+# `workbook node list` is `ros2 node list`. To use `ros2`, first set this notebook's domain in your terminal. The next
+# cell prints the command for that:
 
 # %% tags=["nbval-ignore-output"]
 from workbook.ros import join_line
@@ -539,18 +539,18 @@ if ... not in (waves, period):
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). A team is building a
 # humanoid. Should its software be one large Python program, or ten nodes that communicate
 # over topics? What does each approach make easier, and what does it make harder? Which
-# parts would you write in Python, and which ones not? Make sure that every rclpy function
-# you use exists in Jazzy.
+# parts would you write in Python, and which in another language? Make sure that every
+# rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer covers</summary>
 #
 # One program is easier to start and to debug step by step, and its parts share memory. Nodes can be started, replaced,
-# and tested separately, and if one crashes, the others keep running. They can run on several computers, each in the
-# language that suits it. But nodes aren't free. Messages take time and have to be copied, several things happen at the
-# same time, and there are more parts to maintain. And if a node goes silent, another program has to detect that. Python
-# suits perception, planning, learning, and user interfaces. C++ (or a microcontroller) suits motor control and
-# everything else that must never be a millisecond late.
+# and tested separately, and if one crashes, the others keep running. They can run on several computers, and each node
+# can use the language that suits it. But nodes aren't free. Messages take time and have to be copied, several things
+# happen at the same time, and there are more parts to maintain. And if a node goes silent, another program has to
+# detect that. Python suits perception, planning, learning, and user interfaces. C++ (or a microcontroller) suits motor
+# control and everything else that must never be a millisecond late.
 #
 # </details>
 #
@@ -569,9 +569,10 @@ if ... not in (waves, period):
 #
 # - A robot's software consists of many programs, each of which runs one or more nodes.
 # - To move the robot, a program needs 11 lines: imports, init, node, publisher, callback, timer, and spin.
-# - rclpy makes rcl available in Python. Two layers below rcl carry the messages: rmw and DDS.
+# - rclpy makes rcl available in Python. Two layers below rcl, rmw and DDS, carry the messages.
 # - Predict, run, change. ■ stops a cell, `stop()` stops the robots, and `workbook doctor` checks the machine.
-# - Nodes find each other through topics. A topic has a name and a type, and a node's code names no other node.
+# - Nodes find each other through topics. A topic has a name and a type. A node's code refers only to topics, not to
+#   other nodes.
 #
 # **Next:** [01 · The context](01_the_context.ipynb): starting ROS before the first node, and shutting it down after the
 # last one.

@@ -1,8 +1,9 @@
 # %% [markdown]
 # # 01 · The context
 #
-# A robot program has to start ROS before it can create a node. And when the program ends, the robot mustn't drop what
-# it's carrying. How do you start ROS and shut it down properly? Both steps involve the same object: the context.
+# A robot program has to start ROS before it can create a node. And when the program ends, the robot must not drop
+# whatever it's carrying. How do you start ROS and shut it down properly? Both steps involve the same object: the
+# context.
 #
 # - **Minutes:** 45
 # - **You need:** lesson [00](00_start_here.ipynb)
@@ -14,8 +15,8 @@
 # - **Not covered:** how `spin` works (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
 
 # %% [markdown]
-# It's night in a museum. A robot guard makes its rounds until its program ends. Let's run that program in a separate
-# process.
+# It's night in a museum. A robot guard makes its rounds for as long as its program is running. Let's run that program
+# in a separate process.
 
 # %%
 from lesson_nodes import night_guard
@@ -102,7 +103,7 @@ reveal("publish-after-shutdown")
 # ## Look inside
 #
 # `init` created a **context**, and `shutdown` shut it down. A context holds the settings that all nodes in a *process*
-# share: the domain, the command-line arguments, and the handling of Ctrl-C. Every node belongs to a context. You didn't
+# share: the domain, the command-line arguments, and how Ctrl-C is handled. Every node belongs to a context. You didn't
 # have to pass a context, because `rclpy.init()` initializes the **default context**, and `Node(...)` uses it.
 #
 # A context goes through three states: *not initialized* → *ok* → *shut down*. It never goes back. `rclpy.ok()` returns
@@ -184,10 +185,10 @@ yours(got, "✓", "Call rclpy.init(), then create the node with Node(...).")
 #
 # ### Experiment 1: three contexts in one notebook
 #
-# A process usually has one context, but it can have several. Each context can be in a different **domain**, the number
-# that you met in lesson 00. Here are three robots in one process, each with its own context. `kitchen` and `hall` are
-# in domain A, and `garden` is in domain B. All three publish their names to the topic `/building/hello` and subscribe
-# to that topic. Which robots hear each other, that is, receive each other's messages?
+# A process usually has one context, but it can have several. Each context can be in a different **domain**. (You met
+# domains and their numbers in lesson 00.) Here are three robots in one process, each with its own context. `kitchen`
+# and `hall` are in domain A, and `garden` is in domain B. All three publish their names to the topic `/building/hello`
+# and subscribe to that topic. Which robots hear each other, that is, receive each other's messages?
 #
 # - **a** None: each has its own context.
 #   when `kitchen_hears == 0 and garden_hears == 0`
@@ -276,7 +277,8 @@ show(
 )
 
 # %% [markdown]
-# Only the domain determines which robots receive each other's messages, even within one process and on one topic.
+# The domain alone determines which robots receive each other's messages, even if the robots share a process and a
+# topic.
 #
 # **Your turn.** A fourth robot, `terrace`, should hear `garden`, but neither `kitchen` nor `hall`.
 
@@ -290,8 +292,8 @@ yours(hears, ["garden"], "Robots hear each other if they're in the same domain."
 
 # %% [markdown]
 # Domains matter in a classroom, because ROS uses domain 0 by default. With thirty laptops on one network, *your*
-# dashboard might show the battery level of your neighbor's robot. So at each desk, set a different domain in the
-# environment variable `ROS_DOMAIN_ID`. (With `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`, a program discovers only other
+# dashboard might show the battery level of your neighbor's robot. So at each desk, set the environment variable
+# `ROS_DOMAIN_ID` to a different number. (With `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`, a program discovers only other
 # programs on the same machine.)
 #
 # Don't hard-code the domain, because then you'd have to edit the program to run it in another domain. Each of these
@@ -414,7 +416,7 @@ guard.get_name()
 # The error message calls the node a *Destroyable*. The usual cause is a call to `destroy_node()` that comes one line
 # too early, before a last `publish` or log message.
 #
-# **Code for other ROS versions.** The next call follows a habit from ROS 1:
+# **Code for other ROS versions.** Out of habit, programmers coming from ROS 1 might write this call:
 
 # %% id="positional-arguments" tags=["raises-exception"]
 import sys
@@ -574,8 +576,8 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # </details>
 # <details><summary>b) Call <code>rclpy.shutdown()</code> before each <code>rclpy.init()</code></summary>
 #
-# ✗ `shutdown` itself raises an exception if there's nothing to shut down. And any nodes created before that call lose
-# their context.
+# ✗ `shutdown` itself raises an exception if there's nothing to shut down. And any nodes that already exist are left
+# without a valid context.
 #
 # </details>
 # <details><summary>c) Wrap the call in <code>try</code> and <code>except</code>, and continue</summary>
@@ -646,27 +648,27 @@ yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 # (Give the node a timer: without one, `spin` may not wake up on Ctrl-C.) Another option is a "park" service or topic
 # that the operator uses before pressing Ctrl-C.
 #
-# A good answer also asks what happens if the process is killed or the computer loses power, because no `finally` block
-# runs then. So the motor controller must bring the arm to a safe stop on its own.
+# A good answer also asks what happens if the process is killed or the computer loses power, because in those cases, no
+# `finally` block runs. So the motor controller must bring the arm to a safe stop on its own.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two suggestions. We tested both with the rclpy version that this course uses, and both are wrong.
 #
 # - **`with rclpy.init():`:** Newer versions support it. In Jazzy, it raises a `TypeError`.
 # - **Publishing "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers, rclpy shuts
-#   the context down at about that moment. `publish` then raises an exception, unless it happens to run just before the
-#   shutdown.
+#   the context down at about the same time as these blocks start. `publish` then raises an exception, unless it happens
+#   to run just before the shutdown.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A context holds the settings that a process's nodes share. Its state changes from *not initialized* to *ok* to *shut
-#   down*, and never back.
+# - A context holds the settings that a process's nodes share. It goes from *not initialized* to *ok* to *shut down*,
+#   and never returns to an earlier state.
 # - Call `rclpy.init()` once, in `main`, before you create the first node. After `shutdown` or `destroy_node`, a node
 #   can't publish or receive.
 # - The domain determines which robots receive each other's messages. Set it outside of the program, with

@@ -169,8 +169,8 @@ for what, following in zip(names, [*names[1:], None], strict=True):
 
 # %% [markdown]
 # `init` alone doesn't make your program visible to others. The ports open when you create the first **node**, and they
-# close when the last node is destroyed. (You may read that `init` connects to ROS and `shutdown` disconnects. In this
-# course's build of ROS 2, that's not quite true.)
+# close when the last node is destroyed. (Elsewhere, you may read that `init` connects to ROS and `shutdown`
+# disconnects. In this course's build of ROS 2, that's not quite true.)
 
 # %% [markdown]
 # ## When it goes wrong
@@ -258,7 +258,8 @@ rclpy.try_shutdown()
 # - Other programs can discover yours from the moment it creates its first node until its last node is destroyed.
 # - On Ctrl-C, `spin` raises `KeyboardInterrupt`. On SIGTERM, it usually raises `ExternalShutdownException`. Catch both.
 # - If another thread shuts the context down, `rclpy.spin` may simply return. So clean up in `finally`.
-# - After Ctrl-C, the context is shut down. To publish a last message, use `SignalHandlerOptions.NO` or `.SIGTERM`.
+# - By default, Ctrl-C shuts the context down. To publish a last message anyway, use `SignalHandlerOptions.NO` or
+#   `.SIGTERM`.
 #
 # **Before:** [01 · The context](01_the_context.ipynb)
 #

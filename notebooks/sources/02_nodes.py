@@ -7,7 +7,7 @@
 # - **Minutes:** 55
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
-#   - write a node class, and give each node that you create from it a name and a namespace
+#   - write a node class, and give each of its instances a name and a namespace
 #   - create two nodes with different names from one class
 #   - say what happens when two nodes have the same name
 #   - read error messages about names and attributes
@@ -42,9 +42,9 @@ await until_seen()
 print("the other process sees", reader.latest())
 
 # %% [markdown]
-# `Node("head")` created the node, and the other process found it. Here are more roll calls, drawn as a timeline. The
-# head appears, then the arm, and then the head disappears. Each row belongs to one node, and each mark is a roll call
-# in which that node was present.
+# `fresh(Node, "head")` created the node by calling `Node("head")`, and the other process found it. Here are more roll
+# calls, drawn as a timeline. The head appears, then the arm, and then the head disappears. Each row belongs to one
+# node, and each mark is a roll call in which that node was present.
 #
 # [the same without helpers: init, start, fresh, run]
 
@@ -175,12 +175,12 @@ bare.destroy_node()
 
 # %% [markdown]
 # The node publishes its log messages to `/rosout`. `/parameter_events` and six of the seven services are for the node's
-# **parameters**. These are values that can be set from outside the program, like `period_s` in
-# `start(..., period_s=0.5)`. `super().__init__(name)` creates all of these topics and services, so call it first in
-# your own node class.
+# **parameters**. These are values that can be set from outside the program. For example, `start(..., period_s=0.5)`
+# sets a program's parameter `period_s` to 0.5. `super().__init__(name)` creates all of these topics and services, so
+# call it first in your own node class.
 #
 # To do something useful, a node adds timers, publishers, or subscriptions. Here's the kind of camera driver that a
-# vendor might ship. For now, look at the names; later lessons explain the messages.
+# vendor might ship. For now, look only at the names of the node and its topics; later lessons explain the messages.
 
 # %%
 import inspect
@@ -275,7 +275,7 @@ for camera in executor.get_nodes():
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
-# A humanoid has two of almost every part. To keep the parts' names distinct, ROS organizes names into folders, just as
+# Most of a humanoid's parts come in pairs. To keep the parts' names distinct, ROS organizes names into folders, just as
 # a file system organizes files. A node's folder is called its **namespace**. Here's a camera in the namespace
 # `/robot/head`, with three topic names:
 #
@@ -328,7 +328,7 @@ camera.destroy_node()
 # relative and private names, as `CameraDriver` does.)
 #
 # **Your turn.** Each of three cameras publishes its `temperature`. Write one topic name that gives each camera its own
-# topic. After that, another cell creates two robots from the unchanged driver class.
+# topic. The cell after yours then creates a `CameraDriver` node for each of two robots, without changing the class.
 
 # %% id="your-topic-name"
 topic_name = ...  # TODO: one name for all three, in quotes
@@ -784,7 +784,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two mistakes. We checked both with the rclpy version that this course uses.
 #
 # - **ROS 2 rejects a second node with the same name:** It doesn't. Both nodes run, and all you get is a warning that
 #   their log messages share one publisher.

@@ -165,7 +165,7 @@ command.angular.z = 1.0
 print(command)
 
 # %% [markdown]
-# **Your turn.** Write the command for a robot that drives backward at 0.2 m/s and turns to the right at 0.5 rad/s.
+# **Your turn.** Write the command that makes a robot drive backward at 0.2 m/s and turn to the right at 0.5 rad/s.
 
 # %% id="your-twist"
 from workbook.lesson import yours
@@ -189,8 +189,8 @@ yours(
 # A node reports the battery's charge: `battery.publish(Float32(data=80))`. The definition of `Float32` has a single
 # field, `float32 data`.
 #
-# The program uses this course's packages with their default settings. A screen subscribes to the topic. What does the
-# screen show?
+# The node uses this course's build of ROS 2, with all settings at their defaults. A screen subscribes to the topic.
+# What does the screen show?
 #
 # - **a** 80.0, because Python converts 80 to a float wherever a float is expected.
 #   when `arrived_for_80 == 80`
@@ -237,9 +237,9 @@ reveal("int-in-a-float-field", arrived_for_80=arrived[1])
 
 # %% [markdown]
 # `publish` serializes the message, which means that it converts the message to bytes that any other program can read.
-# For a `float32` field, this build reads the value's memory as if the value were a Python float, **without checking its
-# type**. An `int` stores different bytes there. Interpreted as a float, these bytes usually form a number so tiny that
-# it becomes 0.0.
+# For a `float32` field, this build of ROS 2 reads the value's memory as if the value were a Python float, **without
+# checking its type**. An `int` stores different bytes there. Interpreted as a float, these bytes usually form a number
+# so tiny that it becomes 0.0.
 #
 # **On your robot, an int in a float field may have worse effects.** With the Ubuntu packages, it can abort the whole
 # process with ``Assertion `PyFloat_Check(field)' failed``, and no `except` clause can catch that ([rclpy
@@ -314,8 +314,8 @@ close = ...  # TODO: math.isclose(tenth, 0.1, rel_tol=...)
 yours(close, True, "The tolerance must be above 1.5e-8; 1e-6 is a good choice.")
 
 # %% [markdown]
-# There's also a type with 64 bits, `Float64`, and the numbers in a `Twist` have 64 bits, too. For a
-# battery level in percent, 32 bits are plenty.
+# There's also a 64-bit type, `Float64`, and the numbers in a `Twist` are 64-bit floats, too. For a battery level in
+# percent, 32 bits are plenty.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -586,8 +586,8 @@ else:
 #
 # <details><summary>a) The second program gets an error</summary>
 #
-# ✗ You'd get an error only if one program used both types. Between programs, DDS compares the type names and doesn't
-# connect a publisher and a subscription whose types differ.
+# ✗ You'd get an error only if one program used both types. Here, each program uses only one type. DDS compares the
+# type names, and doesn't connect a publisher and a subscription whose types differ.
 #
 # </details>
 # <details><summary>b) The text arrives as a number</summary>
@@ -605,7 +605,7 @@ else:
 #
 # <details><summary>a) The fields are checked from then on</summary>
 #
-# ✗ The variable is read only when the class is loaded. This program set the variable after that.
+# ✗ The variable is read only when the class is loaded. By then, this program hasn't set it yet.
 #
 # </details>
 # <details><summary>b) None: the fields still aren't checked</summary>
@@ -667,10 +667,11 @@ else:
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with the rclpy version that this course uses, and both are wrong.
 #
-# - **An int in a float field raises a `TypeError`, or is converted:** Neither happens, because in Jazzy, the check is
-#   off by default. With this course's packages, 0.0 arrives; other builds may crash.
+# - **An int in a float field raises a `TypeError`, or is converted:** Neither happens. In Jazzy, the check is off by
+#   default, so there's no error. The value isn't converted, either: with this course's packages, 0.0 arrives, and other
+#   builds may crash.
 # - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** That's too late, because the variable is read
 #   when the message class is imported.
 #

@@ -19,9 +19,9 @@
 # ## Predict
 #
 # The last argument of `create_publisher` is the **depth** of the publisher's queue. It's the number of messages that
-# the publisher keeps in case it has to send them again. A camera in *another process* publishes 20 images of 640 ×
-# 480 pixels (0.9 MB each) as fast as it can. It offers reliable delivery, which is the default. Its publisher has
-# depth 1. The subscription has depth 100, so all of the images fit into its queue. How many images arrive?
+# the publisher keeps in case it has to send them again. A camera in *another process* publishes 20 images of 640 × 480
+# pixels (0.9 MB each) as fast as it can. It offers reliable delivery, which is the default. Its publisher has a queue
+# depth of 1. The subscription has a queue depth of 100, so all 20 images fit into its queue. How many images arrive?
 #
 # - **a** All 20: reliable delivery sends lost images again.
 #   when `arrived == 20`
@@ -104,9 +104,9 @@ reveal("a-burst-of-pictures", arrived=one)
 # With small messages, the publisher's depth hardly matters, because each message is usually on its way before the next
 # one is published. That's why you don't notice the problem in tests with small messages.
 #
-# These notebooks use only the loopback network, but by default, Fast DDS also uses shared memory. We measured both
-# transports, each with three bursts of 300 kB images and three bursts of 900 kB images. Every time, images were lost at
-# depths 1 and 10, but not at depth 100.
+# These notebooks use only the loopback network interface. By default, however, Fast DDS, the DDS implementation in this
+# build, also uses shared memory. We measured both transports, each with three bursts of 300 kB images and three bursts
+# of 900 kB images. In every measurement, images were lost at depths 1 and 10, but none were lost at depth 100.
 
 # %% [markdown]
 # ## Look inside
@@ -115,7 +115,7 @@ reveal("a-burst-of-pictures", arrived=one)
 # ### Image messages
 #
 # An `Image` message has a header, a few fields that describe the layout of the pixels, and one long array of pixel
-# data. The next cell records a tiny camera, whose images are only 16 pixels wide and 12 pixels high.
+# data. The next cell records the messages of a tiny camera. Its images are only 16 pixels wide and 12 pixels high.
 
 # %%
 from lesson_nodes import tiny_camera
@@ -168,8 +168,8 @@ yours(begin, 249, "(5 * image['width'] + 3) * 3")
 # %% [markdown]
 # ### Richer message types
 #
-# A `Float32` message doesn't specify a unit, a time, or a source. `sensor_msgs` has types that do. You fill them in
-# field by field, like any other message:
+# A `Float32` message doesn't specify a unit, a time, or a source. `sensor_msgs` has types that do. You fill in messages
+# of these types field by field, as usual:
 
 # %% id="with-meaning"
 import math
@@ -200,15 +200,16 @@ print(
 print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
-# These messages have timestamps and names, and their definitions specify the units. Set unknown values to `nan`
-# *yourself*, because these types' numeric fields start at 0.0, too. Other people's dashboards and loggers can then
-# interpret your messages.
+# These messages have timestamps and names, and their definitions specify the units. As in `Float32`, the numeric fields
+# of these types are 0.0 until you set them, so set unknown values to `nan` *yourself*. Other people's dashboards and
+# loggers can then interpret your messages.
 
 # %% [markdown]
 # ### Where 0.0 comes from
 #
-# In lesson 03, an `int` in a float field arrived as 0.0. This course's build of ROS 2 reads eight bytes of the `int`
-# object, at the position where a Python float stores its value. The next cell reads those eight bytes.
+# In lesson 03, an `int` in a float field arrived as 0.0. That's because this course's build of ROS 2 doesn't convert
+# the `int`. It just reads eight bytes of the object, at the position where a Python float stores its value. The next
+# cell reads those eight bytes.
 
 # %%
 import ctypes
@@ -236,10 +237,11 @@ for number in (np.float64(80), np.float32(80)):
 # %% [markdown]
 # ### Lines from other programs
 #
-# A lot of the code on the web is for ROS 1, for C++, or for a full ROS 2 installation. Your own code can be wrong, too,
-# for example if you misspell a name. Each line below looks right but raises an exception here. The last line shows what
-# happens if an `async` callback awaits `asyncio.sleep`. It fails because rclpy runs the coroutine itself, rather than
-# in an asyncio event loop. We run the lines in a separate thread, because this notebook's main thread runs asyncio.
+# A lot of the code on the web is for ROS 1, for C++, or for a full ROS 2 installation. And in your own code, you may
+# misspell a name. Each of the following lines looks right, but with this course's installation, it raises an exception.
+# The last line shows what happens if an `async` callback awaits `asyncio.sleep`. It fails because rclpy runs the
+# coroutine itself, rather than in an asyncio event loop. We run the lines in a separate thread, because this notebook's
+# main thread runs asyncio.
 
 # %% id="lines-of-others"
 import asyncio
@@ -269,8 +271,8 @@ with ThreadPoolExecutor(1) as thread:
 
 # %% [markdown]
 # Only some of these error messages tell you what to write instead. The third one is empty: rclpy asserts that the
-# policy is a member of the right enum, but the `assert` statement has no message. The [error museum](error_museum.md)
-# has a fix for each one.
+# policy is a member of the right enum, but the `assert` statement has no message. The [error museum](error_museum.md),
+# this course's collection of common errors, has a fix for each error.
 
 # %% [markdown]
 # ## Take away

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 04 · Subscriptions and callbacks
 #
-# How does a robot react to its own sensors? A robot that only publishes can't, so it walks into walls. To make the
-# robot stop in time, its program needs a subscription, and a callback that handles each message.
+# How does a robot react to its own sensors? A robot that only publishes can't react at all, so it walks into walls. To
+# stop in time, it needs a subscription and a callback that handles each message.
 #
 # - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 03
@@ -42,7 +42,7 @@ stop()
 # *depth*, which Experiment 1 explains. The method is the **callback**: you write it, and rclpy calls it once for each
 # message.
 #
-# Now set `close_m` to `2.5` in the first code cell, and run that cell again.
+# Now set `close_m` to `2.5` in the first code cell, and rerun that cell.
 
 # %% [markdown] prediction="five-distances"
 # ## Predict
@@ -57,8 +57,9 @@ stop()
 # time.sleep(1.0)
 # ```
 #
-# To spin a node, programs call `rclpy.spin(node)`, and our notebooks call `run(node)`. At first, we spin neither
-# `sensor` nor `guard`. The black box spins all the time. After the `sleep`, which nodes have handled the five messages?
+# A program spins a node by calling `rclpy.spin(node)`; our notebooks call `run(node)` instead. At first, we spin
+# neither `sensor` nor `guard`. The black box spins all the time. After the `sleep`, which nodes have handled the five
+# messages?
 #
 # - **a** None: without spinning, `sensor` sends nothing.
 #   when `by_black_box == 0 and by_guard_before_spin == 0`
@@ -355,7 +356,7 @@ show(
 # %% [markdown]
 # A full queue drops its *oldest* message without a warning, so the newest message is always in the queue. The reader
 # with depth 100 received all 60 images, so no message gets lost just because the node is busy. (The publisher's depth
-# is for retransmission and makes no difference here.)
+# matters only for retransmission, so it makes no difference here.)
 #
 # **Your turn.** A camera takes 20 images a second, and a reader's queue should hold the images from the last 1.5 s.
 # Choose the reader's depth. The cell publishes 60 images and checks the first one that the reader gets.
@@ -467,8 +468,8 @@ print("time from program to program:", about(travel_ms, "ms", between=(0.05, 100
 
 # %% [markdown]
 # Only a small part of a message's age is travel time. The rest is time in the queue. During each callback, one message
-# leaves the queue and four new ones arrive. So the age grows until the full queue holds 2.5 s of messages (50 times
-# 0.05 s).
+# leaves the queue and four new ones arrive. So the age grows until the queue is full and holds 2.5 s of messages (50
+# times 0.05 s).
 #
 # Suppose the robot walks toward the wall at 1 m/s. Then a distance that's 2.5 s old is 2.5 m too large. With a depth of
 # 1, the guard skips three out of every four distances, but each one that it handles is current. The right depth depends
@@ -555,8 +556,7 @@ counter = fresh(Counter)
 # As the error message says, a callback takes either one argument (the message) or two (the message and its `info`).
 # (`self` doesn't count.) So accept the message even if you ignore it: `def on_distance(self, message: Float32)`.
 #
-# **Wrong arguments to `create_subscription`.** The next three calls don't work, either. Which error do you expect from
-# each?
+# **Wrong arguments to `create_subscription`.** The next three calls fail, too. Which error do you expect from each?
 
 
 # %% id="three-calls"
@@ -632,7 +632,8 @@ topic_info("/robot/joint_positions")
 # being spun, is the name right, and is the type right? `topic_info` answers the last two questions. (Lesson 13 adds a
 # fourth, about QoS.)
 #
-# **Your turn.** Make the watcher subscribe with the right type. The cell counts how often its callback runs, up to 20.
+# **Your turn.** Make the watcher subscribe with the right type. The cell counts up to 20 calls of the watcher's
+# callback.
 
 # %% id="your-type"
 message_type = ...  # TODO: import the class from std_msgs.msg, and put it here
@@ -649,8 +650,8 @@ yours(heard, 20, "topic_info shows the publisher's type.")
 # ## From a worked example to your own
 #
 # **Worked example.** A callback often handles messages from one topic and publishes to another. This brake node
-# publishes `stop` once when the wall is closer than half a meter, and `go` once when the way is clear again. To avoid
-# repeating itself, it stores the last published word in an attribute.
+# publishes a single `stop` when the wall comes closer than half a meter, and a single `go` when the way is clear again.
+# To avoid repeating itself, it stores the last published word in an attribute.
 
 # %%
 STOP_BELOW_M = 0.5
@@ -819,8 +820,8 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 # as fresh as possible. The node then skips images, but that's fine, because only the newest one is useful.
 #
 # A button press is an event, so it must not be lost. A depth of 10 is enough: the button has its own queue, so images
-# can't push out its messages. But the callbacks run one after another, so the button's callback may run 80 ms late, or
-# even later. Changing the depth doesn't help. For the battery, a depth of 1 is enough.
+# can't push out its messages. But the callbacks run one after another, so the button's callback may run 80 ms late or
+# more. Changing the depth doesn't help. For the battery, a depth of 1 is enough.
 #
 # In a good answer, the button's callback runs in a different thread from the camera's (lesson 10), or in a separate
 # program. The answer also warns that an emergency stop shouldn't depend on a topic alone.
@@ -829,7 +830,7 @@ yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with the rclpy version that this course uses, and both are wrong.
 #
 # - **When the queue is full, the new message is dropped:** No, the oldest message is dropped, and the new one joins the
 #   queue.

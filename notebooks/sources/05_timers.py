@@ -27,9 +27,9 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# Both timers belong to the same node. Run the next cell and move its slider, which sets the period of **R**. Each time
-# you move the slider, the node restarts. How short does the period have to be before you no longer see a difference
-# between the arms?
+# Both timers belong to the same node. Run the next cell and move its slider, which sets the period of the timer that
+# moves **R**. Each time you move the slider, the node restarts. How short does the period have to be before you no
+# longer see a difference between the arms?
 #
 # [the same without helpers: start, init, fresh, run, record]
 
@@ -61,7 +61,7 @@ await knob(
 # `create_timer(0.1, read_tilt)` creates a timer with a period of 0.1 s. While `spin` runs, it calls `read_tilt` each
 # time the timer is due.
 #
-# Fifty periods of 0.1 s add up to 5.0 s. How long does each program take for its fifty readings?
+# Fifty periods of 0.1 s add up to 5.0 s. How long does each program take to collect its fifty readings?
 #
 # - **a** Both take 5.0 s, because the period is 0.1 s in both.
 #   when `loop_s < 5.5 and timer_s < 5.5`
@@ -179,8 +179,8 @@ show(
 # the time for the work. Every iteration starts a little later than it should, and these delays add up. This is called
 # **drift**.
 #
-# The timer follows a schedule: its ticks are due 0.1 s, 0.2 s, 0.3 s, and so on, after it was created. When the work is
-# done, the timer waits only for the rest of the current period. So one late tick doesn't delay the next one.
+# The timer follows a schedule: counted from its creation, its ticks are due at 0.1 s, 0.2 s, 0.3 s, and so on. When the
+# work is done, the timer waits only for the rest of the current period. So one late tick doesn't delay the next one.
 #
 # **Your turn.** A loop can keep a schedule, too. It must take reading number `n` exactly `n` periods after the start.
 # If `passed_s` seconds have already passed since the start, how long must the loop sleep before that reading?
@@ -200,7 +200,7 @@ yours(
 )
 
 # %% [markdown]
-# The next figure shows how late each reading was, with the loop and with the timer.
+# The next figure shows how late each reading was, for the loop and for the timer.
 
 # %%
 from itertools import pairwise
@@ -259,9 +259,9 @@ print("longest: ", about(longest_ms, "ms", between=(100, 300), digits=3))
 # %% [markdown]
 # ### A myth, tested
 #
-# You may read that you must store a timer in an attribute, as in `self.timer = self.create_timer(...)`, because
-# otherwise, the garbage collector would remove it. The node above stored nothing, yet its timer worked. The next cell
-# also runs the garbage collector.
+# You'll sometimes read that you must store a timer in an attribute, as in `self.timer = self.create_timer(...)`, or the
+# garbage collector will delete it. The node above stored nothing, yet its timer worked. To be sure, the next cell
+# creates another such node, and then runs the garbage collector explicitly.
 
 # %% id="nothing-kept"
 import gc
@@ -401,9 +401,10 @@ show(
 )
 
 # %% [markdown]
-# Between two ticks, a timer doesn't block the thread. It only determines when its callback is due. The executor sleeps
-# until the next timer is due, calls that timer's callback, and sleeps again. When two timers are due at the same time,
-# one callback runs after the other. As long as both callbacks are short, you don't notice the delay.
+# Between two ticks, a timer doesn't block the thread. It only determines when its callback is due. The *executor*,
+# which runs a node's callbacks, sleeps until the next timer is due, calls that timer's callback, and sleeps again. When
+# two timers are due at the same time, one callback runs after the other. As long as both callbacks are short, you don't
+# notice the delay.
 
 # %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a slow callback
@@ -490,13 +491,13 @@ show_machine(
 # Five blinks were due during the beep, but four of them never came. After the beep, the blink timer is overdue, so its
 # callback runs once. Then the timer returns to its schedule. The missed ticks are **dropped**.
 #
-# This design suits a robot: after a busy period, it needs the *current* tilt rather than five readings in a row.
+# This design suits a robot: after a busy period, it needs one reading of the *current* tilt, not a burst of five.
 #
 # Still, the node did nothing else during the 1.1 s of each beep, so keep your callbacks short. Lesson 10 shows how to
-# handle long work.
+# handle long-running work.
 #
-# **Your turn.** Find the longest beep, to a tenth of a second, that doesn't cause a dropped blink. One blink may be
-# late.
+# **Your turn.** How long can the beep take before the node starts to drop blinks? Find the longest beep, to a tenth of
+# a second, at which it drops none. One blink may be late.
 
 # %% id="your-beep"
 beep_takes_s = ...  # TODO: seconds, with one decimal
@@ -638,7 +639,7 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # %% [markdown]
 # ## Check yourself
 #
-# **1. How often does `create_timer(0.25, self.beep)` beep?**
+# **1. `self.create_timer(0.25, self.beep)` creates a timer. How often does the timer call `beep`?**
 #
 # <details><summary>a) Every four seconds</summary>
 #
@@ -730,19 +731,20 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 # burst follows the gap. Whether the gap matters depends on the robot's speed: at 1 m/s, the robot travels 25 cm in that
 # time.
 #
-# There are two solutions. You can shorten the callback by passing the image to a thread or another process that saves it.
-# Or you can run the two callbacks in different threads, with another executor and callback group (lesson 10). A shorter
-# timer period doesn't help. Good answers also ask whether the robot has to save the image at all.
+# There are two solutions. You can shorten the callback by passing the image to a thread or another process that saves
+# it. Or you can run the two callbacks in different threads, with a multithreaded executor and separate callback groups
+# (lesson 10). A shorter timer period doesn't help. Good answers also ask whether the robot has to save the image at
+# all.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with the rclpy version that this course uses, and both are wrong.
 #
 # - **Missed ticks come later, in a burst:** No, they're dropped.
-# - **Keep the rate with `rate.sleep()` in the callback:** No. This call waits for a timer, but the thread that would
-#   run that timer is itself waiting. So in a callback that `rclpy.spin` runs, `rate.sleep()` never returns.
+# - **You can keep the rate by calling `rate.sleep()` in the callback:** No. This call waits for a timer, but the thread
+#   that would run that timer is itself waiting. So in a callback that `rclpy.spin` runs, `rate.sleep()` never returns.
 #
 # </details>
 
@@ -759,6 +761,5 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 #
 # **Next:** [06 · Spinning](06_spinning.ipynb): what calls a timer's callback, and when.
 #
-# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), which call the
-# timers' callbacks, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), which explains simulated
-# time.
+# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), on what calls
+# the timers' callbacks, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), on simulated time.

@@ -47,7 +47,7 @@ print("in sixty calls: moved by", moved_rad)
 
 # %% [markdown]
 # The numbers show how far the left shoulder turned. The arm moved only because you called `spin_once`. In a real
-# program, `rclpy.spin` makes these calls for you. This lesson shows what a single call to `spin_once` does.
+# program, `rclpy.spin` makes these calls for you.
 #
 # [the same without helpers: init, fresh]
 
@@ -84,9 +84,9 @@ predict("five-words")
 # %% [markdown]
 # ## Run it
 #
-# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). One timer makes its
-# heart beat, and another makes it look around. The robot also repeats each word that it receives. Each callback adds an
-# entry to the list `robot.done`. For now, both timers are so slow that only the words matter.
+# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). One timer makes the
+# robot's heart beat, and another makes the robot look around. The robot also repeats each word that it receives. Each
+# callback appends to the list `robot.done`. For now, both timers are so slow that only the words matter.
 #
 # First, we publish words without spinning the robot.
 
@@ -152,7 +152,7 @@ yours(
 # Before the first call, nothing was spinning the robot, so no callback ran. There was no error or warning, either.
 # That's what a **forgotten spin** looks like.
 #
-# An arriving message doesn't call your callback. A DDS thread only puts the message into the subscription's queue. A
+# An arriving message doesn't call your callback: a DDS thread just puts the message into the subscription's queue. A
 # timer doesn't call your callback, either: it only determines when the callback is due. Only the **executor** runs
 # callbacks. `rclpy.spin_once(node)` adds the node to an executor for one iteration:
 #
@@ -199,8 +199,8 @@ show_machine(
 )
 
 # %% [markdown]
-# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in order of arrival. Then nothing is ready
-# anymore, so `spin_once` *waits* and returns soon after the next timer is due.
+# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in order of arrival. After that, nothing else
+# is ready, so `spin_once` *waits* and returns soon after the next timer is due.
 #
 # In this rclpy version, timers come before messages, but don't rely on that order. The heartbeat was due at 1.0 s
 # *and* at 2.0 s, but its callback ran only once. [Lesson 05](05_timers.ipynb) explains why.
@@ -272,9 +272,9 @@ seen = try_out(ways_to_spin.no_timeout)
 reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
-# The word "once" refers to *one callback*. With a timeout, `spin_once` waits until something is ready or the timeout
-# expires. Without one, it waits until something is ready, which never happens in this node. If the node had a timer,
-# you wouldn't notice this mistake, because each tick would make the call return.
+# The "once" in `spin_once` means *one callback*. With a timeout, `spin_once` waits until something is ready or the
+# timeout expires. Without one, it waits until something is ready, which never happens in this node. If the node had a
+# timer, you wouldn't notice this mistake, because each tick would end the call.
 #
 # In a notebook, a test, or any program with other work to do, **always pass `timeout_sec`**.
 
@@ -403,9 +403,9 @@ reveal(
 #     executor.spin_once()
 # ```
 #
-# Ctrl-C is different, because it makes `spin` raise `KeyboardInterrupt` ([lesson 01](01_the_context.ipynb)). The line
-# after `spin` is skipped, so code that must run at the end belongs in `finally`. The next cell runs the program without
-# `finally`, and then with it:
+# `rclpy.shutdown()` makes `rclpy.ok()` return `False`, so the loop ends. Ctrl-C is different: it makes `spin` raise
+# `KeyboardInterrupt` ([lesson 01](01_the_context.ipynb)). Then the line after `spin` is skipped, so code that must run
+# at the end belongs in `finally`. The next cell runs the program without `finally` and with it:
 
 # %% id="after-spin"
 _ = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
@@ -416,7 +416,7 @@ _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 # ## When it goes wrong
 #
 # **Spinning inside a callback.** A planner needs a map and waits for it in a callback. Another callback of the same
-# node should deliver the map after 0.3 s.
+# node is supposed to deliver the map after 0.3 s.
 
 # %% id="spin-in-callback"
 _ = try_out(ways_to_spin.wait_in_callback)
@@ -489,19 +489,19 @@ print("then:", "a crash" if left_behind.signal else f"exit code {left_behind.exi
 
 # %% [markdown]
 # The program finishes its work, but then it *aborts*: at exit, Python stops the thread in the middle of C++ code. You
-# see `terminate called without an active exception` or a different error. A supervisor such as systemd logs a crash
-# each time the program stops.
+# see `terminate called without an active exception` or another error. A supervisor such as systemd logs a crash each
+# time the program stops.
 #
 # Code that starts a thread must also end it. First, shut down the executor, so that `spin` returns. Then wait for the
-# thread. (On a busy machine, rclpy may print a harmless `AttributeError`.)
+# thread to finish. (On a busy machine, rclpy may print a harmless `AttributeError`.)
 
 # %% tags=["nbval-ignore-output"]
 _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
 # **A timer that is always ready.** A timer is due every 10 ms, but its callback takes 20 ms. Five messages are waiting.
-# We spin the node twice, for two seconds each time. In the first run, each call's timeout is all of the remaining time;
-# in the second, it's always 50 ms.
+# We spin the node twice, for two seconds each time. In the first run, each call's timeout is the time that's left; in
+# the second, it's a constant 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -512,7 +512,7 @@ _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 # %% [markdown]
 # When several callbacks are ready, the executor normally runs all of them, one per call, before it looks for newly
 # ready ones. But if a call's timeout *differs* from the previous call's timeout, the executor starts over with the
-# first timer. With `left` as the timeout, it starts over in every call, so the messages are never handled. Use the same
+# first timer. With `left` as the timeout, it starts over on every call, so the messages are never handled. Use the same
 # timeout in each iteration. (A callback that takes longer than its timer's period is a bug, too: see lesson 10.)
 
 # %% [markdown]
@@ -564,7 +564,7 @@ yours(
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/06_spinning.ipynb), you write a function that spins a node for a given
-# number of seconds and then returns. The judge runs it with several robots. One has timers and slow callbacks, and it
+# number of seconds and then returns. The judge runs it with several robots. One has timers and slow callbacks, and
 # receives a burst of words. Another has no timers.
 
 # %% [markdown]
@@ -668,13 +668,14 @@ yours(
 # 3. Spin in a separate thread with its own executor, and end the thread with `shutdown` and `join`. This is the right
 #    solution if the library that reads the joystick blocks. But now two threads access the same data.
 #
-# A good answer also asks how fast the robot must stop, and whether a stop should depend on one Python loop at all.
+# A good answer also asks how quickly the robot must stop, and whether an emergency stop should depend on a single
+# Python loop at all.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two mistakes. We checked both against this course's rclpy.
+# Watch for these two mistakes. We checked both with the rclpy version that this course uses.
 #
 # - **`rclpy.spin_some(node)`:** This function belongs to rclcpp, the C++ library. rclpy has `spin_once`.
 # - **`spin_once(node, timeout_sec=0)` handles everything that's waiting:** In fact, it runs one callback. Five waiting

@@ -111,8 +111,8 @@ class Vitals(Node):
 '''
 
 # %% [markdown] prediction="seven-mistakes"
-# All functions have hints, and we run `mypy --strict` with rclpy and the message packages just as ROS installs them.
-# How many of the seven numbered mistakes does mypy find?
+# All functions have type hints, and we run `mypy --strict`. rclpy and the message packages are unmodified, just as ROS
+# installs them. How many of the seven numbered mistakes does mypy find?
 #
 # - **a** Three: the ones that misuse rclpy itself.
 #   when `mistakes_found == 3`
@@ -137,15 +137,15 @@ predict("seven-mistakes")
 # %% [markdown]
 # ## Run it
 #
-# With `stubs=False`, `check_types` runs plain `mypy --strict` with the packages just as ROS installs them.
+# With `stubs=False`, mypy uses only what ROS installs, without the extra hints that you'll meet below.
 
 # %%
 as_installed = check_types(VITALS, stubs=False)
 as_installed
 
 # %% [markdown]
-# The next program makes the same seven mistakes, one after another. It runs without the *field checks* that normally
-# check each message's values in these notebooks. You don't need to study its code.
+# The next program makes the same seven mistakes, one after another. It runs without *field checks* (lesson 03), which
+# these notebooks normally turn on. You don't need to study its code.
 
 # %%
 # %%writefile seven_times.py
@@ -228,18 +228,18 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 # %% [markdown]
 # ## Look inside
 #
-# mypy finds three of the seven mistakes. At run time, mistakes 5, 6, and 7 raise an error only *when the program
-# reaches the line*. That may be at the first tick, or months later, when the battery runs low. In this course's ROS
-# build, mistakes 3 and 4 don't raise an error. With mistake 3, a callback for a `String` receives a `Float32`. With
-# mistake 4, the string arrives as `0.0`.
+# mypy finds three of the seven mistakes. At run time, mistakes 5, 6, and 7 each raise an error, but only *when the
+# program reaches that line*. That may be at the first tick, or months later, when the battery runs low. In this
+# course's ROS build, mistakes 3 and 4 don't raise an error. With mistake 3, a callback for a `String` receives a
+# `Float32`. With mistake 4, the string arrives as `0.0`.
 #
 # **On a robot, mistake 4 may crash the program.** The message code in the Ubuntu packages may be compiled with
 # assertions. In that case, the wrong value aborts the whole process, and `except` can't catch the abort ([rclpy
 # #1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Why does mypy find so few mistakes in the messages? Its report gives the reason: `Skipping analyzing "std_msgs.msg"`,
-# with the code `import-untyped`. So what type does a message have in mypy's view? To find out, use `reveal_type(x)`,
-# which makes mypy print the type of `x`. The call is only for mypy.
+# with the code `import-untyped`. So which type does mypy assign to a message? To find out, use `reveal_type(x)`, which
+# makes mypy print the type of `x`. The call is meant only for mypy.
 
 # %%
 QUESTIONS = '''\
@@ -267,8 +267,8 @@ check_types(QUESTIONS, stubs=False, notes=True)
 # Think of each check as a **net**: a mistake that slips through one net may be caught by the next. Plain mypy was the
 # first net.
 #
-# A **stub** is a `.pyi` file with the hints for a module that doesn't have its own. This course has stubs for the
-# message packages, generated from the message classes. Here's the stub for `Float32`:
+# A **stub** is a `.pyi` file with hints for a module whose own code has none. This course has stubs for the message
+# packages, generated from the message classes. Here's the stub for `Float32`:
 
 # %%
 from std_msgs.msg import Float32
@@ -372,12 +372,12 @@ nets_picture(
 # %% [markdown]
 # ## Change it
 #
-# ### Experiment 1: three shapes of one node
+# ### Experiment 1: three ways to structure a node
 #
-# A node's code can have one of three shapes. A **script** has all of its code at the top level of the file. A
-# **closure** puts all of its code into one function, whose inner functions use its variables. A **class** stores its
-# state in `self`. Here are three modules that publish a battery's level, one for each shape. Let's run each for a
-# minute of simulated time.
+# You can structure a node's code in three ways. A **script** has all of its code at the top level of the file. A
+# **closure** puts all of the code into one outer function, whose variables the inner functions use. A **class** stores
+# its state in `self`. Here are three modules that publish a battery's level, one for each structure. Let's run each for
+# a minute of simulated time.
 
 # %%
 from lesson_nodes import battery_class, battery_closure, battery_script
@@ -452,7 +452,7 @@ yours(... if line is ... else len(report), 1, '"def main() -> None:"')
 # checks them, too. One hint, such as `-> None`, is enough for mypy to check the function. Code at the top level of a
 # file isn't in a function, so mypy always checks it.
 #
-# Which shape is best? A script is fine for ten lines. A closure is hard to test, because its state is hidden. In a
+# Which structure is best? A script is fine for ten lines. A closure is hard to test, because its state is hidden. In a
 # class, everything has a name and a type. And for a second robot, you just create a second object. So most nodes are
 # classes.
 
@@ -606,8 +606,8 @@ print(run_program(wrong, seconds=20).log)
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Hints from newer ROS versions.** There, publishers are generic, so you often see `Publisher[String]`. Here's what
-# happens in this version:
+# **Hints from newer ROS versions.** In those versions, publishers are generic, so you often see `Publisher[String]`.
+# Here's what happens in Jazzy:
 
 # %% id="publisher-subscript" tags=["raises-exception"]
 from rclpy.publisher import Publisher
@@ -672,8 +672,8 @@ print(run_program(guarded, seconds=20).log.strip().splitlines()[-1])
 # `float(level)` alone can't replace this check: it accepts the string `"87.5"` and fails on the string `"87 %"`.
 #
 # `# type: ignore` at the end of a line hides everything that mypy would report there. If a value has the hint `Any`,
-# mypy accepts anything you do with it. Neither one fixes a mistake; it only hides it. If you really need one, explain
-# why in a comment.
+# mypy accepts anything you do with it. Both only hide mistakes. If you really need one of the two, explain why in a
+# comment.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -726,9 +726,9 @@ for misuse in (
 #
 # **Fill in the blanks.** So far, no net has caught mistake 3, a subscription whose callback expects another message
 # type. The function `listen` below ties the message type to the callback. In the hints for `kind` and `callback`, the
-# type variable `Message` stands for the same type. Write these two hints as strings. When both are right, mypy reports
-# an error only in line 25, the call with the wrong callback. `Callable[[X], None]` is the type of a function that takes
-# an `X` and returns nothing.
+# type variable `Message` stands for one and the same type. Write these two hints as strings. When both are right, mypy
+# reports an error only in line 25, the call with the wrong callback. `Callable[[X], None]` is the type of a function
+# that takes an `X` and returns nothing.
 
 # %% id="your-listen"
 kind = ...  # TODO: the hint for a message class, such as "type[String]"
@@ -778,11 +778,11 @@ yours(
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Why does mypy accept `Float32().dta` with the packages just as ROS installs them?**
+# **1. Without stubs, why does mypy accept `Float32().dta`?**
 #
 # <details><summary>a) The package has no hints that mypy can use, so the message is Any</summary>
 #
-# ✓ `Any` has every attribute. The `import-untyped` at the top of the report warns you about this.
+# ✓ `Any` has every attribute. The `import-untyped` error at the top of the report warns you about this.
 #
 # </details>
 # <details><summary>b) Fields are looked up at run time, so no tool can check them</summary>
@@ -850,7 +850,7 @@ yours(
 # </details>
 # <details><summary>c) If it was created by create_publisher</summary>
 #
-# ✗ mypy compares the methods. It doesn't matter who created the object.
+# ✗ mypy compares the methods. It doesn't matter how the object was created.
 #
 # </details>
 #
@@ -866,7 +866,7 @@ yours(
 # ✗ rclpy's own functions have hints, so mypy found this mistake even without stubs.
 #
 # </details>
-# <details><summary>c) An int in a float field, which makes the battery topic carry 0.0</summary>
+# <details><summary>c) An int in a float field, so that subscribers receive 0.0</summary>
 #
 # ✓ mypy accepts an int as a float. `float(level)` prevents the mistake, and a test that checks the received messages
 # finds it.
@@ -904,7 +904,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two mistakes. We checked both against this course's rclpy.
+# Watch for these two mistakes. We checked both with the rclpy version that this course uses.
 #
 # - **`self.level: Publisher[Float32] = …`:** In Jazzy, `Publisher` doesn't accept a type in brackets, and mypy reports
 #   this hint as an error. Inside a method, Python ignores the hint; in a signature, Python 3.13 and older raise a
@@ -921,7 +921,7 @@ yours(
 # - By default, it doesn't check functions without hints. `-> None` is enough to get a function checked; `--strict`
 #   demands hints everywhere.
 # - `import-untyped` means that messages are `Any` to mypy. Stubs describe the messages' fields.
-# - A Protocol with a `publish` method gives a publisher a message type, so mypy reports a wrong message.
+# - A Protocol with a `publish` method gives a publisher a message type, so mypy reports messages of any other type.
 # - Hints do nothing at run time. Check values that come from outside, and convert ints with `float(...)`.
 #
 # **Before:** [06 · Spinning](06_spinning.ipynb)

@@ -61,9 +61,9 @@ reveal("one-letter-less", complaints=len(report), said=str(report))
 # %% [markdown]
 # ## Look inside
 #
-# **Your turn.** mypy's message names the kind of type variable that it expects. Use the name of that kind as a keyword
-# argument to `TypeVar`, just as you'd write `covariant=True` for the opposite kind. Write the complete line so that
-# mypy reports no errors.
+# **Your turn.** mypy's message names the kind of type variable that it expects. Pass that kind to `TypeVar` as a
+# keyword argument, just as you'd pass `covariant=True` for the opposite kind. Write the complete line so that mypy
+# reports no errors.
 
 # %% id="your-variable"
 from workbook.lesson import yours
@@ -78,8 +78,9 @@ yours(... if line is ... else len(report), 0, "contravariant=True")
 # `contravariant=True` declares that the type appears only as an argument. So wherever a publisher of `Float32` is
 # expected, you can use one that accepts every message, but not the other way around.
 #
-# In the next cell, the return type of `make_publisher` depends on the argument `kind`, because `Message` stands for the
-# same type in both type hints. With `kind=Float32`, the function returns a `Sends[Float32]`.
+# In the next cell, the return type of `make_publisher` depends on its argument `kind`. The hints for both,
+# `type[Message]` and `Sends[Message]`, contain the type variable `Message`, which stands for the same type in each.
+# With `kind=Float32`, the function returns a `Sends[Float32]`.
 
 # %%
 TYPED = '''\

@@ -11,7 +11,7 @@
 #   - send numbers so that they arrive unchanged
 #   - count the subscriptions that are connected to a publisher
 #   - say what happens after a callback raises an exception
-#   - end a node on Ctrl-C with exit code 0
+#   - make a program exit with code 0 on Ctrl-C
 # - **Not covered:** real battery sensors (`sensor_msgs/BatteryState`), multithreading, services
 
 # %% [markdown]
@@ -75,7 +75,7 @@ predict("the-dashboard-opens")
 # ## Run it
 #
 # We'd like to record a minute of messages without waiting a whole minute for them. So `record` controls the robot's
-# clock (simulated time, lesson 05), and one minute of *robot time* takes only a few real seconds.
+# clock (simulated time, lesson 05), and one minute of *robot time* takes only a few seconds of real time.
 #
 # [the same without helpers: record]
 
@@ -111,11 +111,11 @@ reveal("the-dashboard-opens", longest_wait_s=longest)
 # %% [markdown]
 # ## Look inside
 #
-# One thread runs the callbacks of both timers. Each timer callback is short: it fills a message, publishes it, and
+# One thread runs the callbacks of both timers. Each timer callback is short: it fills in a message, publishes it, and
 # returns. So one thread can handle many timers, as long as **each callback is fast**.
 #
 # Let's build the node step by step. Every topic needs three things: a **publisher**, a **timer**, and a **callback**
-# that fills a message.
+# that fills in a message and publishes it.
 
 # %% [markdown]
 # ### Step 1: one topic
@@ -213,8 +213,8 @@ humanoid.destroy_node()
 # %% [markdown]
 # ### Step 4: the finished node
 #
-# This class from `lesson_nodes/humanoid_status_publisher.py` published the messages that you saw on the dashboard.
-# Three things are new: named constants, a docstring that lists the topics, and a check of the initial level.
+# The class below, from `lesson_nodes/humanoid_status_publisher.py`, is the node whose messages you saw on the
+# dashboard. Three things are new: named constants, a docstring that lists the topics, and a check of the initial level.
 
 # %%
 import inspect
@@ -229,8 +229,8 @@ print(inspect.getsource(HumanoidStatusPublisher))
 # - **List the topics in the docstring,** each with its type, rate, and meaning. The list is your contract with all
 #   subscribers.
 # - **Add type hints** (`-> None`, `battery_level: float`). Your editor and mypy use them, but ROS doesn't.
-# - **Put a unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from passing hertz where seconds
-#   are expected.
+# - **State the unit of each quantity** in its name (`STATUS_PERIOD_S`) or in a comment (percent). Many bugs come from
+#   passing hertz where seconds are expected.
 
 # %% [markdown]
 # ## Change it
@@ -283,7 +283,8 @@ reveal("the-empty-battery", delay_s=error_at - empty_at)
 
 # %% [markdown]
 # In this run, both timers were due at the same moment, and the status callback ran first. So the next status message
-# was a whole period away. And which values does the node publish on `/robot/battery` once the battery is empty?
+# was a whole period away. That's the status topic. What does the node publish on `/robot/battery` once the battery is
+# empty?
 
 # %%
 from workbook.pictures import figure
@@ -342,8 +343,8 @@ rclpy.spin(node)
 # 1. Now we publish one status message, so the monitor kills itself. What does the method return 0.5 s after the
 # message, and what does it return after 10 s?
 #
-# DDS gives each program a **lease**: a time limit that the program keeps renewing while it runs. In this course, a
-# lease lasts 2 s (`workbook/ros/loopback.xml`). Fast DDS's default is 20 s.
+# DDS gives each program a **lease**, which expires unless the program renews it in time. In this course, a lease lasts
+# 2 s (`workbook/ros/loopback.xml`). Fast DDS's default is 20 s.
 #
 # - **a** 0 both times, because Linux has closed all of the monitor's connections.
 #   when `soon == 0`
@@ -386,8 +387,9 @@ stop()
 # So a killed program's subscriptions stay in the count until its lease expires. With Fast DDS's default of 20 s, both
 # counts would be 1.
 #
-# The count is still useful when a program starts up. A message that's published before any subscription is connected is
-# lost ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. The next cell doesn't wait:
+# The count is still useful when a program starts up. If a message is published before any subscription is connected,
+# the message is lost ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. The next
+# cell doesn't wait:
 #
 # [the same without helpers: spin_for]
 
@@ -470,8 +472,8 @@ network
 #
 # ### An exception in a background thread
 #
-# Many programs spin in a background thread to keep the main thread free. The next node publishes its status ten times a
-# second. Another timer's callback estimates how long the battery will last, and divides by zero the second time it's
+# Many programs spin in a background thread to keep the main thread free. The node below publishes its status ten times
+# a second. Another timer's callback estimates how long the battery will last, and divides by zero the second time it's
 # called. What happens to the status messages?
 #
 # - **a** The program ends with a traceback and a nonzero exit code.
@@ -546,10 +548,10 @@ reveal(
 )
 
 # %% [markdown]
-# The exception ended the *thread*, but not the program. The node is still on the graph, so `ros2 node list` shows it,
-# and its last message was *operational*. But none of the node's callbacks run anymore: no timer fires, and no message
-# is received. Even the exit code is 0. The only sign of the problem is the traceback in the log, which was printed
-# once.
+# The exception ended the *thread*, but not the program. The node is still in the ROS graph, so `ros2 node list` shows
+# it. The last status that it published was *operational*. But none of the node's callbacks run anymore: no timer fires,
+# and no message is received. Even the exit code, 0, suggests that all went well. The only sign of the problem is the
+# traceback in the log, which was printed once.
 #
 # `await run(...)` spins the node in the notebook's own thread, so this time the exception shows up in the cell's
 # output:
@@ -571,7 +573,7 @@ class Forecaster(Node):
 await run(fresh(Forecaster), seconds=10)
 
 # %% [markdown]
-# Here's how to avoid a node that has silently stopped, or at least to notice it:
+# Here's how to keep a node from stopping silently, or at least to notice when it does:
 #
 # - In a program, run `rclpy.spin(node)` in the **main thread**. An exception then ends the program with a traceback,
 #   and a service manager can restart it.
@@ -629,8 +631,8 @@ for name, ending in {"COMMON": COMMON, "CLEAN": CLEAN}.items():
     print(f"{name:<8} exit code {outcome.exit:>3}   {last_line}")
 
 # %% [markdown]
-# `COMMON` fails because Ctrl-C has already shut the context down, and then `rclpy.shutdown()` tries to do it again.
-# `CLEAN` works because `try_shutdown()` does nothing if the context is already shut down.
+# `COMMON` fails because Ctrl-C has already shut the context down, and `rclpy.shutdown()` then tries to shut it down a
+# second time. `CLEAN` works because `try_shutdown()` does nothing if the context is already shut down.
 #
 # One caveat: `try_shutdown()` first checks whether the context is still up and then shuts it down. On a very busy
 # machine, Ctrl-C can shut the context down [between those two
@@ -682,8 +684,8 @@ print("exit code", outcome.exit)
 
 # %% [markdown]
 # **Fill in the blanks.** A node in the robot's foot counts steps. Every four seconds, it publishes the count to
-# `/robot/steps` as a `Float32`. Fill in the three blanks: the period, the float, and the ending. Then the cell runs the
-# program and sends Ctrl-C after the first message.
+# `/robot/steps` as a `Float32`. Fill in the three blanks: the period, the float, and the ending. When you run the cell,
+# it starts the program and sends Ctrl-C after the first message.
 
 # %% id="your-step-counter"
 FADED = """
@@ -773,11 +775,11 @@ yours(
 #
 # </details>
 #
-# **3. A node is on the graph. Its last status, a minute ago, was "operational". Nothing has arrived since. What is the likely cause?**
+# **3. A node is in the graph. Its last status, a minute ago, was "operational". Nothing has arrived since. What is the likely cause?**
 #
 # <details><summary>a) An exception ended the thread that spins the node</summary>
 #
-# ✓ The node object still exists, so the node is on the graph. But no thread runs its timer callbacks anymore.
+# ✓ The node object still exists, so the node is in the graph. But no thread runs its timer callbacks anymore.
 #
 # </details>
 # <details><summary>b) There's no problem: no news is good news</summary>
@@ -795,7 +797,7 @@ yours(
 #
 # <details><summary>a) Publish it right after <code>create_publisher</code>, with a depth of 100</summary>
 #
-# ✗ The queue serves only connected subscriptions, and at that moment, there may not be any.
+# ✗ The queue holds messages only for connected subscriptions, and at that moment, there may not be any.
 #
 # </details>
 # <details><summary>b) Publish it once <code>get_subscription_count()</code> is above 0</summary>
@@ -827,18 +829,18 @@ yours(
 #
 # A message contains the node's state at the time of publishing. A missing message can mean a dead process, a node
 # that's no longer being spun, a blocked callback, or a broken network. From the outside, a monitor can't tell these
-# causes apart. A single late message shouldn't raise an alarm, because timers and networks jitter. Waiting for two to
-# three periods is a common compromise.
+# causes apart. A single late message shouldn't raise an alarm, because timers and networks jitter. Waiting two to three
+# periods is a common compromise.
 #
-# A good answer says what the robot should do while messages are missing: slow down, stop, or sit down. It also says
-# that the robot may have to stop on its own if the *robot* no longer receives messages from the monitor. Even better,
-# it mentions that ROS can detect late messages for you, through the deadline QoS policy.
+# A good answer says what the robot should do while messages are missing: slow down, stop, or sit down. It also covers
+# the reverse case: if the monitor's messages no longer reach the robot, the robot may have to stop on its own. The best
+# answers also mention that ROS can detect late messages for you, through the deadline QoS policy.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two suggestions. We tested both with the rclpy version that this course uses, and both are wrong.
 #
 # - **`finally: node.destroy_node(); rclpy.shutdown()`:** After Ctrl-C, the context is already shut down. A second
 #   `shutdown` raises `rcl_shutdown already called`, and the exit code is 1. Use `rclpy.try_shutdown()`.
@@ -852,8 +854,9 @@ yours(
 #
 # - `create_timer` takes a period in seconds, so for 0.5 Hz, pass 2.0.
 # - For each topic, create a publisher, a timer, and a short callback. One thread can run many such callbacks.
-# - Put only a Python `float` into a float field. Other types lead to a wrong value or a crash, depending on the build.
-# - If a background thread spins a node, an exception stops all of the node's callbacks, but the node stays on the
+# - Put only Python `float` values into a float field. Other types lead to a wrong value or a crash, depending on the
+#   build.
+# - If a background thread spins a node, an exception stops all of the node's callbacks, but the node stays in the
 #   graph.
 # - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()` so that the exit code is
 #   0.

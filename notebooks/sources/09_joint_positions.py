@@ -84,7 +84,7 @@ predict("the-slow-drawing")
 # ## Run it
 #
 # We record the same publisher with a period of 2 s. `record` controls the robot's clock, so 14 s of simulated time
-# (*robot time*) take about one real second.
+# (*robot time*) takes about one second of real time.
 
 # %%
 from workbook.lesson import arrivals, record, values
@@ -188,8 +188,8 @@ yours(right_shoulder, waving(0.25)[4], 'message.data[JOINTS.index("right_shoulde
 #
 # ### Experiment 1: 10 Hz instead of 0.5 Hz
 #
-# Now the joint publisher sends at 10 Hz. How large will the largest error in the last known elbow angle be, compared
-# with the error at 0.5 Hz?
+# Now the joint publisher sends at 10 Hz. Compared with 0.5 Hz, how large is the largest error in the last known elbow
+# angle?
 #
 # - **a** less than a third as large
 #   when `share_of_the_error < 1 / 3`
@@ -389,8 +389,8 @@ show(
 )
 
 # %% [markdown]
-# These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS exchanges its own
-# messages with other programs. The remaining CPU time grows with the rate, but less than proportionally. On our
+# These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time goes to background work: DDS exchanges
+# its own messages with other programs. The remaining CPU time grows with the rate, but less than proportionally. On our
 # otherwise idle machine, each message cost far less CPU time at 100 Hz than at 10 Hz; we haven't investigated why.
 #
 # So 100 Hz is affordable for *one* publisher. But every message costs CPU time in each subscriber, too, and a robot has
@@ -409,7 +409,7 @@ joint_pub = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 1
 joint_pub.publish(waving(0.0))
 
 # %% [markdown]
-# `publish` needs a message, so put the list into its `data` field: `Float32MultiArray(data=angles)`.
+# `publish` needs a message, so put the list into a message's `data` field: `Float32MultiArray(data=angles)`.
 #
 # **One number instead of a list.** The field is always an array, even for a single value.
 
@@ -604,7 +604,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # ✓ Each message triggers the callback once, and each call publishes one height.
 #
 # </details>
-# <details><summary>c) 20 a second, with values between the last two messages</summary>
+# <details><summary>c) 20 a second, with values interpolated between the last two messages</summary>
 #
 # ✗ Neither DDS nor the tracker makes up values. Between two messages, a subscriber gets no new data.
 #
@@ -636,7 +636,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two pieces of advice. We tested both with this course's rclpy, and both are wrong.
+# Watch for these two pieces of advice. We tested both with the rclpy version that this course uses, and both are wrong.
 #
 # - **Fill in `layout.dim`, or no subscriber can read `data`:** The twelve numbers in `data` arrive even without a
 #   layout, because a layout only describes them.
@@ -652,7 +652,8 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # - A `Float32MultiArray` can contain any number of floats, so publisher and subscriber must agree on their order and
 #   number.
 # - A node that publishes one result per message needs no timer, because each message triggers its callback.
-# - Check the angles where you compute them: there must be the right number, and each must be finite and in range.
+# - Check the angles where you compute them: there must be the right number of them, and each must be finite and in
+#   range.
 # - A message is a snapshot, and a subscriber gets nothing new until the next one arrives.
 # - The right rate depends on how fast the value changes and how much detail the subscribers need.
 #

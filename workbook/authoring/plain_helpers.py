@@ -20,9 +20,10 @@ it in a terminal instead, run this command with the program's name in place of `
 python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
 ```""",
     "record": """\
-`record(program, {topic: period_s}, seconds)` starts a program, records all messages on the given topics, and interrupts
-the program, just as Ctrl-C would. The program runs on simulated time, so a simulated minute takes only a few real
-seconds. In a full ROS 2 installation, this command records in real time while the program runs:
+`record(program, {topic: period_s}, seconds)` starts a program, records all messages on the given topics for that many
+seconds, and then interrupts the program, just as Ctrl-C would. The program runs on simulated time, so a simulated
+minute takes only a few seconds of real time. In a full ROS 2 installation, this command records in real time while the
+program runs:
 
 ```text
 ros2 bag record /robot/cmd_vel
