@@ -73,7 +73,7 @@ stop()
 # `create_publisher` takes a message type and a topic. `move` fills a message with twelve angles in radians and
 # publishes it. The timer calls `move` every 0.1 s, and `spin` keeps the node running.
 #
-# **Your turn.** In the list of angles, the third one is for the left shoulder, and the fifth is for the right shoulder.
+# **Your turn.** In the list of angles, the third is for the left shoulder, and the fifth is for the right shoulder.
 # Write a list of twelve angles: 2.4 rad for the right shoulder, and 0.0 for every other joint. (`[0.0] * 7` is a list
 # of seven zeros.)
 
@@ -195,7 +195,7 @@ yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 # programs may run on another computer or be written in another language.
 #
 # **Why does it matter?** On a humanoid, camera drivers and motor controllers are mostly written in C++, because every
-# millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
+# millisecond counts in them. Perception, planning, and learning are mostly written in Python, because they build on
 # NumPy, OpenCV, and PyTorch. Nodes connect the two worlds:
 #
 # - With a few lines of code, you can make a trained model part of the robot. The model receives images on one topic and

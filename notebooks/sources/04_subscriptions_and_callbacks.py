@@ -650,8 +650,8 @@ yours(heard, 20, "topic_info shows the publisher's type.")
 # ## From a worked example to your own
 #
 # **Worked example.** A callback often handles messages from one topic and publishes to another. This brake node
-# publishes a single `stop` when the wall comes closer than half a meter, and a single `go` when the way is clear again.
-# To avoid repeating itself, it stores the last published word in an attribute.
+# publishes a single `stop` when the wall comes within half a meter, and a single `go` when the way is clear again. To
+# avoid repeating itself, it stores the last published word in an attribute.
 
 # %%
 STOP_BELOW_M = 0.5
