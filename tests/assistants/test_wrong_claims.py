@@ -183,7 +183,7 @@ def test_ros_2_refuses_a_second_node(context: Context, node: Node) -> None:
 
 
 def test_start_it_with_ns(domain: int) -> None:
-    """Start it with `__ns:=/robot_07`"""
+    """Start each program with `__ns:=/robot_07`"""
     code = (
         "import sys, rclpy\nrclpy.init(args=sys.argv)\n"
         "print(rclpy.create_node('arm').get_fully_qualified_name())\nrclpy.shutdown()"
@@ -273,7 +273,7 @@ def test_missed_ticks_come_later(executor: SingleThreadedExecutor, node: Node) -
 
 
 def test_use_a_rate(node: Node, context: Context) -> None:
-    """Use a rate: `rate.sleep()` in the callback"""
+    """You can keep the rate by calling `rate.sleep()` in the callback"""
     rates: list[Rate] = []
     began, woke = threading.Event(), threading.Event()
 
@@ -381,7 +381,7 @@ def test_fill_in_layout_dim() -> None:
 
 
 def test_assign_the_table() -> None:
-    """Assign the 4 × 3 NumPy array to `data`"""
+    """Assign a 4 × 3 NumPy array of the angles to `data`"""
     table = np.zeros((4, 3))
     with pytest.raises(TypeError):
         Float32MultiArray(data=table)
