@@ -19,14 +19,20 @@ import socket
 import struct
 import subprocess
 import sys
+import threading
 from collections.abc import Awaitable, Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from functools import partial
+from typing import IO
 
 LOOPBACK = "127.0.0.1"
 CLONE_NEWNET = 0x40000000
 SIOCSIFFLAGS = 0x8914
 IFF_UP = 0x1
 CHUNK_BYTES = 1 << 16
+LONGEST_OUTPUT = 1 << 20
+"""How many bytes of a server's output reach the hub's log. With more, a student could fill the disk."""
 
 Connect = Callable[[], Awaitable[socket.socket]]
 
@@ -67,6 +73,15 @@ async def listen(listener: socket.socket, connect: Connect) -> None:
     await asyncio.start_server(serve, sock=listener)
 
 
+def copy_output(source: IO[bytes]) -> None:
+    """Copy the beginning of the server's output to ours, and discard the rest."""
+    left = LONGEST_OUTPUT
+    while data := os.read(source.fileno(), CHUNK_BYTES):
+        with suppress(OSError):  # the hub that read our output has ended
+            os.write(1, data[:left])
+        left -= len(data[:left])
+
+
 async def run(server: int, hub: int, command: list[str]) -> int:
     """Run the command inside the namespace, with both ports forwarded. Return its exit code."""
     loop = asyncio.get_running_loop()
@@ -88,7 +103,10 @@ async def run(server: int, hub: int, command: list[str]) -> int:
 
     await listen(listener(server), to_server)
     await listen(await loop.run_in_executor(inside, listener, hub), to_hub)
-    started = await loop.run_in_executor(inside, subprocess.Popen, command)
+    popen = partial(subprocess.Popen, command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    started = await loop.run_in_executor(inside, popen)
+    assert started.stdout is not None
+    threading.Thread(target=copy_output, args=[started.stdout], daemon=True).start()
     return await loop.run_in_executor(None, started.wait)
 
 

@@ -12,10 +12,18 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from deploy.jupyterhub import disks  # noqa: E402
 from deploy.jupyterhub.spawner import ClassSpawner  # noqa: E402
 
 if os.geteuid() != 0 or shutil.which("bwrap") is None:
     raise SystemExit("The class server needs root and bubblewrap (apt install bubblewrap).")
+
+disk = os.environ.get("CLASS_DISK", "2G")
+if disk not in ("", "0") and disks.missing():
+    raise SystemExit(
+        f"To limit disk space, the class server needs {disks.missing()}. CLASS_DISK=0 sets no limit."
+    )
+disks.enter_mounts()
 
 c = get_config()  # type: ignore[name-defined]  # noqa: F821
 
@@ -54,6 +62,7 @@ c.ClassSpawner.default_url = "/lab"
 c.ClassSpawner.env_keep = ["LANG", "LC_ALL"]
 c.ClassSpawner.mem_limit = os.environ.get("CLASS_MEMORY", "1500M")
 c.ClassSpawner.cpu_limit = float(os.environ.get("CLASS_PROCESSORS", "1"))
+c.ClassSpawner.disk_limit = 0 if disk in ("", "0") else disk
 c.ClassSpawner.start_timeout = 120
 c.ClassSpawner.http_timeout = 120
 c.JupyterHub.concurrent_spawn_limit = 10

@@ -1,23 +1,29 @@
 """Spawn a server for each student, with a separate network, processes, files, and limits."""
 
+import asyncio
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
-from jupyterhub.spawner import LocalProcessSpawner
+from jupyterhub.spawner import LocalProcessSpawner, SpawnException
+from jupyterhub.traitlets import ByteSpecification
 from jupyterhub.utils import random_port
 from traitlets import Integer, Unicode
 
 from deploy.jupyterhub.confine import confined, home_of
+from deploy.jupyterhub.disks import NoDisk, attach, students_with_image
 from deploy.jupyterhub.limits import Limits, join_files, make_groups, remove_groups
-from deploy.jupyterhub.places import place_of
+from deploy.jupyterhub.places import Place, place_of
 from workbook.exercise.course import course_folder
 from workbook.grading.slots.service import ADDRESS, SOCKET
 from workbook.inside.proc import status
 from workbook.isolation.host_files import PATH_OF_PROGRAMS
 
 GATE = Path(__file__).with_name("gate.py")
+NO_DISK = "Your disk can't be opened. Your files are still on it. Please tell your instructor: the hub's log says why."
+RUNTIME = {"JUPYTER_RUNTIME_DIR": "/tmp/jupyter"}
+"""Connection files are kept in memory, so that a student whose disk is full can start a kernel."""
 
 
 class ClassSpawner(LocalProcessSpawner):
@@ -29,6 +35,7 @@ class ClassSpawner(LocalProcessSpawner):
     memory_folders = Integer(
         256 << 20, config=True, help="Bytes that /tmp and /dev/shm of a student hold each."
     )
+    disk_limit = ByteSpecification(0, config=True, help="Bytes of a student's disk; 0: unlimited.")
     check_folder = Unicode(config=True, help="Where the class's check service listens; empty: there is none.")
     port: int
     groups: list[Path]
@@ -42,12 +49,13 @@ class ClassSpawner(LocalProcessSpawner):
         name = self.user.name
         account = {"USER": name, "LOGNAME": name, "HOME": home_of(name), "SHELL": "/bin/bash"}
         check = {ADDRESS: f"{self.check_folder}/{SOCKET}"} if self.check_folder else {}
-        return env | account | check | {"PATH": PATH_OF_PROGRAMS}
+        return env | account | check | RUNTIME | {"PATH": PATH_OF_PROGRAMS}
 
     async def start(self) -> tuple[str, int]:
         """Start the server. Return its IP address and port."""
         self.port = self.port or random_port()
         place = place_of(self.user.name, Path(self.folder), self.first_id)
+        await self.attach_disks(place)
         self.groups = make_groups(
             f"{self.hub.port}-{self.user.name}", Limits(self.mem_limit, self.cpu_limit, self.processes)
         )
@@ -74,6 +82,20 @@ class ClassSpawner(LocalProcessSpawner):
         )
         self.pid = self.proc.pid
         return ("127.0.0.1", self.port)
+
+    async def attach_disks(self, place: Place) -> None:
+        """Mount the student's image. For an instructor, who reads all hand-ins, mount all other images, too."""
+        try:
+            await asyncio.to_thread(attach, place, self.disk_limit)
+        except NoDisk as problem:
+            raise SpawnException(
+                NO_DISK, reason="disk", log_message=str(problem), status_code=500
+            ) from problem
+        for name in students_with_image(place.top) if self.user.admin else []:
+            try:
+                await asyncio.to_thread(attach, place_of(name, place.top, self.first_id), self.disk_limit)
+            except NoDisk as problem:
+                self.log.error("The hand-ins of %s can't be read. %s", name, problem)
 
     async def poll(self) -> int | None:
         """Return None while the server runs. Afterward, return its exit code, or 0 if the exit code isn't known.

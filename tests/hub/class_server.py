@@ -18,7 +18,7 @@ from deploy.jupyterhub.limits import PREFIX, remove_groups
 from deploy.jupyterhub.places import STUDENTS
 from tests.hub.simulated_student import SimulatedStudent
 from workbook.inside.orphans import adopt_orphans
-from workbook.inside.proc import running_users
+from workbook.inside.proc import OWN_MOUNTS, read_text, running_users
 
 ROOT = Path(__file__).resolve().parents[2]
 FIRST_ID = 700_000
@@ -117,19 +117,31 @@ class ClassServer:
         """Return the ids of all processes that run as this student."""
         return [pid for pid, user in running_users() if user == self.user_id(name)]
 
+    def seen(self, path: Path) -> Path:
+        """Return where this process sees a path of the class folder as the hub does, with the students' disks."""
+        assert self._hub is not None
+        return Path(f"/proc/{self._hub.pid}/root{path}")
+
+    def loop_devices(self) -> list[str]:
+        """Return the students' disks that are in use."""
+        return [line for line in _output("losetup", "--output", "NAME,BACK-FILE") if str(self.folder) in line]
+
     def gates(self) -> list[psutil.Process]:
         """Return the gates: each holds a student's server, which ends with it."""
         return [one for one in psutil.process_iter() if f"--hub={self.port + 1}" in _command_line(one)]
 
     def groups(self) -> list[Path]:
         """Return the cgroups of the students' servers."""
-        return [*Path("/sys/fs/cgroup").rglob(f"{PREFIX}{self.port + 1}-*")]
+        prefix = f"{PREFIX}{self.port + 1}-"
+        below = os.walk("/sys/fs/cgroup")  # unlike rglob, it ignores groups that end meanwhile
+        return [Path(top, name) for top, names, _ in below for name in names if name.startswith(prefix)]
 
     def left(self) -> list[object]:
-        """Return the gates, the students' processes, and the students' cgroups that are still there."""
+        """Return the gates, processes, cgroups, disks, and mounts of students that are still there."""
         first, last = FIRST_ID, FIRST_ID + 1000
         users = [pid for pid, user in running_users() if first <= user < last]
-        return [*self.gates(), *users, *self.groups()]
+        mounts = [line for line in read_text(OWN_MOUNTS).splitlines() if str(self.folder) in line]
+        return [*self.gates(), *users, *self.groups(), *self.loop_devices(), *mounts]
 
     def end_everything(self) -> None:
         """End the hub and all servers, in any state."""
@@ -137,6 +149,10 @@ class ClassServer:
         for gate in self.gates():
             gate.kill()
         remove_groups(self.groups())
+
+
+def _output(*command: str) -> list[str]:
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
 
 
 def _command_line(process: psutil.Process) -> list[str]:

@@ -41,7 +41,12 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def hub(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ClassServer]:
     folder = tmp_path_factory.mktemp("hub") / "class"
-    with class_server(folder, "--ClassSpawner.poll_interval=2", "--ClassSpawner.mem_limit=1000M") as server:
+    options = (
+        "--ClassSpawner.poll_interval=2",
+        "--ClassSpawner.mem_limit=1000M",
+        "--ClassSpawner.disk_limit=100M",
+    )
+    with class_server(folder, *options) as server:
         yield server
 
 
@@ -246,6 +251,71 @@ for folder in ("/tmp", "/dev/shm"):
     assert in_kernel(students[0], kernels, "import os" + fill) == "No space left on device\n" * 2
 
 
+FILL_DISK = """
+import os
+for folder in (".", os.path.expanduser("~"), "../answers"):
+    try:
+        with open(f"{folder}/full", "wb", buffering=0) as file:
+            for _ in range(100_000):
+                file.write(bytes(4096))
+        print("no limit")
+    except OSError as error:
+        print(error.strerror)
+"""
+
+
+def test_a_student_with_a_full_disk_harms_nobody_else_and_can_delete_files(
+    hub: ClassServer, students: list[SimulatedStudent], kernels: dict[str, str]
+) -> None:
+    eve = hub.student("eve")
+    eve.start_server()
+    path = f"/user/eve/api/contents/exercises/{STEM}.ipynb"
+    model = eve.get(path).json()
+    kernel = {"eve": eve.start_kernel()}
+    assert in_kernel(eve, kernel, FILL_DISK) == "No space left on device\n" * 3
+    larger = {**model["content"], "metadata": {**model["content"]["metadata"], "more": "." * 100_000}}
+    refused = eve.send("PUT", path, {**model, "content": larger})
+    assert refused.status_code == 500 and "disk is full" in refused.json()["message"], refused.text
+    assert eve.get(path).json()["content"]["cells"] == model["content"]["cells"]  # the saved file is intact
+
+    others = f"/user/{NAMES[0]}/api/contents/exercises/{STEM}.ipynb"
+    students[0].send("PUT", others, {**model, "content": larger}).raise_for_status()
+    assert "Saved as answers/" in in_kernel(students[0], kernels, answer_cell("# a new answer"))
+
+    eve.stop_server()
+    eve.start_server()
+    kernel = {"eve": eve.start_kernel()}
+    in_kernel(eve, kernel, "import os; os.remove('full'); os.remove('../answers/full')")
+    eve.send("PUT", path, {**model, "content": larger}).raise_for_status()
+    assert "Saved as answers/" in in_kernel(eve, kernel, answer_cell(right_answer()))
+    eve.stop_server()
+
+
+def test_a_student_whose_output_is_endless_doesnt_fill_the_hubs_log(hub: ClassServer) -> None:
+    gus = hub.student("gus")
+    gus.start_server()
+    before = hub.log.stat().st_size
+    shout = """
+import os
+from pathlib import Path
+own = {os.readlink(link): int(link.name) for link in Path("/proc/self/fd").iterdir() if link.is_symlink()}
+print(os.write(own[os.readlink(f"/proc/{os.getppid()}/fd/1")], bytes(16 << 20)))
+"""
+    assert in_kernel(gus, {"gus": gus.start_kernel()}, shout) == f"{16 << 20}\n"
+    gus.stop_server()
+    assert hub.log.stat().st_size - before < 2 << 20
+
+
+def test_a_damaged_disk_is_reported_and_left_as_it_is(hub: ClassServer) -> None:
+    image = hub.folder / "disks/hal.ext4"
+    image.write_bytes(b"not a file system" * 1000)
+    page = hub.student("hal").get("/hub/spawn/hal")
+    assert "Your disk can&#39;t be opened." in page.text, page.text
+    assert f"`e2fsck -p {image}` failed" in hub.log.read_text()
+    assert image.read_bytes() == b"not a file system" * 1000
+    image.unlink()
+
+
 # --- the course and its teachers -------------------------------------------------------------------------------
 
 
@@ -264,6 +334,10 @@ def test_an_instructor_grades_all_and_a_student_gets_their_own_page(
     in_kernel(students[0], kernels, answer_cell(right_answer()))
     instructor = hub.student(INSTRUCTOR)
     instructor.start_server()
+    late = hub.student("ivy")
+    late.start_server()
+    in_kernel(late, {"ivy": late.start_kernel()}, answer_cell(right_answer()))
+    late.stop_server()
     with instructor.connected(instructor.start_kernel("")) as kernel:
         graded = kernel.run(f"""
 import subprocess
@@ -273,6 +347,7 @@ for command in ("workbook grade --exercise 09 hand_ins --out grades --format htm
     print(done.stdout[-3000:], done.stderr[-3000:])
 """)
     assert "published" in graded.text, graded
+    assert instructor.get(f"/user/{INSTRUCTOR}/api/contents/hand_ins/ivy/{STEM}.py").ok
     page = students[0].get(f"/user/{students[0].name}/api/contents/feedback/{STEM}.html")
     assert page.ok, (page.text[:1000], graded)
     assert "10 of 10" in page.json()["content"]
@@ -306,13 +381,15 @@ def test_work_outlives_the_server_and_an_update_of_the_course(hub: ClassServer) 
     model = student.get(path).json()
     model["content"]["cells"][0]["source"] = "Ben's own notes"
     student.send("PUT", path, model).raise_for_status()
+    lesson = f"notebooks/{STEM}.ipynb"
+    student.send(
+        "DELETE", f"/user/{student.name}/api/contents/{lesson}"
+    ).raise_for_status()  # as if it were new
     student.stop_server()
-    work = hub.folder / "students" / student.name / "work"
-    lesson = work / "notebooks" / f"{STEM}.ipynb"
-    lesson.unlink()  # as if the course had gained a lesson
     student.start_server()
     assert student.get(path).json()["content"]["cells"][0]["source"] == "Ben's own notes"
-    assert lesson.stat().st_uid == hub.user_id(student.name)
+    work = hub.seen(hub.folder / "students" / student.name / "work")
+    assert (work / lesson).stat().st_uid == hub.user_id(student.name)
 
 
 def test_a_killed_gate_takes_its_server_along_and_another_one_starts(hub: ClassServer) -> None:

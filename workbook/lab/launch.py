@@ -1,5 +1,6 @@
 """Launch JupyterLab on the student's copy."""
 
+import errno
 import os
 import shutil
 import socket
@@ -13,6 +14,8 @@ from workbook.lab import jupyter_files
 from workbook.lab.work_folder import STATE, WorkFolderUpdate, first_lesson, update_work_folder
 from workbook.ros.environment import is_leftover, uses_wheels
 
+HUB = "JUPYTERHUB_SERVICE_URL"
+"""The variable that JupyterHub sets when it starts us."""
 NEW_COPY = "rclpy-workbook"
 """The subfolder created for the student's copy if the course comes from a wheel and the current folder isn't empty."""
 
@@ -38,7 +41,8 @@ def student_folder() -> Path:
 def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
     """Update the student's copy and, if the package came in a wheel, Jupyter's settings.
 
-    In a clone, `make env` writes the settings. Raise CannotLaunch if a file can't be written.
+    In a clone, `make env` writes the settings. Raise CannotLaunch if a file can't be written. On a class server, a full
+    disk only delays the update, because there, students can delete files only in JupyterLab.
     """
     if is_from_wheel():
         try:
@@ -51,6 +55,9 @@ def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
     try:
         return update_work_folder(course, work)
     except OSError as error:
+        if error.errno == errno.ENOSPC and HUB in os.environ and (work / STATE).is_file():
+            print("The disk is full, so the lessons weren't updated.")
+            return WorkFolderUpdate()
         raise CannotLaunch(
             f"cannot write the student's copy in {work}: {error.strerror}. "
             "Is the folder yours, and is the disk full? `workbook doctor` says more."
@@ -114,8 +121,8 @@ def check_folders() -> None:
 
 def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
     """Return the JupyterLab command. The user's arguments come last, so they take precedence."""
-    # JupyterHub sets this variable when it starts us. Its own variant of JupyterLab then asks the hub who may log in.
-    module = "jupyterhub.singleuser" if "JUPYTERHUB_SERVICE_URL" in os.environ else "jupyterlab"
+    # JupyterHub's own variant of JupyterLab asks the hub who may log in.
+    module = "jupyterhub.singleuser" if HUB in os.environ else "jupyterlab"
     line = [sys.executable, "-P", "-m", module, "--log-level=WARN", f"--ServerApp.root_dir={work}"]
     # If we name the shell, Jupyter doesn't start a login shell, which would replace the environment's PATH with the one
     # from /etc/profile.
