@@ -23,7 +23,10 @@ if disk not in ("", "0") and disks.missing():
     raise SystemExit(
         f"To limit disk space, the class server needs {disks.missing()}. CLASS_DISK=0 sets no limit."
     )
-disks.enter_mounts()
+
+# The ports to listen on. Only the first of the three is for browsers.
+port = int(os.environ.get("CLASS_PORT", "8000"))
+disks.enter_mounts(port + 1)
 
 c = get_config()  # type: ignore[name-defined]  # noqa: F821
 
@@ -33,8 +36,6 @@ state = folder / "hub"
 state.mkdir(mode=0o700, exist_ok=True)  # cookies, tokens, and the list of users' servers
 os.chdir(state)
 
-# The ports to listen on. Only the first of the three is for browsers.
-port = int(os.environ.get("CLASS_PORT", "8000"))
 c.JupyterHub.bind_url = f"http://127.0.0.1:{port}"
 c.JupyterHub.hub_bind_url = f"http://127.0.0.1:{port + 1}"
 c.ConfigurableHTTPProxy.api_url = f"http://127.0.0.1:{port + 2}"

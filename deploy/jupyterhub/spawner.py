@@ -12,7 +12,7 @@ from jupyterhub.utils import random_port
 from traitlets import Integer, Unicode
 
 from deploy.jupyterhub.confine import confined, home_of
-from deploy.jupyterhub.disks import NoDisk, attach, students_with_image
+from deploy.jupyterhub.disks import GATE, NoDisk, attach, students_with_image
 from deploy.jupyterhub.limits import Limits, join_files, make_groups, remove_groups
 from deploy.jupyterhub.places import Place, place_of
 from workbook.exercise.course import course_folder
@@ -20,8 +20,7 @@ from workbook.grading.slots.service import ADDRESS, SOCKET
 from workbook.inside.proc import status
 from workbook.isolation.host_files import PATH_OF_PROGRAMS
 
-GATE = Path(__file__).with_name("gate.py")
-NO_DISK = "Your disk can't be opened. Your files are still on it. Please tell your instructor: the hub's log says why."
+NO_DISK = "Your disk can't be opened. Your files are still there. Please tell your instructor: the hub's log says why."
 RUNTIME = {"JUPYTER_RUNTIME_DIR": "/tmp/jupyter"}
 """Connection files are kept in memory, so that a student whose disk is full can start a kernel."""
 

@@ -367,6 +367,7 @@ def test_a_restart_of_the_hub_leaves_kernels_running(
         in_kernel(student, kernels, f"kept = {student.name!r}")
     hub.stop()
     hub.start()
+    assert all(hub.seen(hub.folder / "students" / name / "work/notebooks").is_dir() for name in NAMES)
     for name in NAMES:
         student = hub.student(name)
         student.start_server()

@@ -33,7 +33,7 @@ def place(tmp_path: Path) -> Iterator[Place]:
 def hub() -> Iterator[ProcessPoolExecutor]:
     """A process with a mount namespace of its own, like a hub's."""
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(1, context, initializer=enter_mounts) as process:
+    with ProcessPoolExecutor(1, context, initializer=enter_mounts, initargs=(0,)) as process:
         yield process
 
 
