@@ -14,12 +14,17 @@ HIDDEN = frozenset({"artifacts", "build", "dist", "tests", "work"})
 SETTINGS = ("/etc/hosts", "/etc/nsswitch.conf", "/etc/fonts", "/etc/ssl/openssl.cnf")
 EXCHANGE = Path("/srv/nbgrader/exchange")
 """nbgrader's default exchange folder."""
-_AS_STUDENT = 'umask 027 && exec "$@"'
+_OOM = "echo 300 > /proc/self/oom_score_adj"
+"""If the machine runs out of memory, Linux ends a student's server before the hub, which has 0 (proc(5)).
+
+Kernels have 600, so they end first.
+"""
+_AS_STUDENT = f'{_OOM} && umask 027 && exec "$@"'
 """Runs a student's server. New files are readable only by their owner and group.
 
 For hand-ins, that's the group of the instructors.
 """
-_AS_INSTRUCTOR = 'mount -t proc proc /proc && umask 022 && exec "$@"'
+_AS_INSTRUCTOR = f'mount -t proc proc /proc && {_OOM} && umask 022 && exec "$@"'
 """Runs an instructor's server, which needs nested sandboxes.
 
 The kernel allows a nested sandbox its own /proc only if this sandbox's /proc is fully visible.

@@ -218,6 +218,17 @@ def test_a_student_who_uses_up_memory_harms_nobody_else(
     assert in_kernel(students[2], kernels, "print('here')") == "here\n"
 
 
+def test_if_the_machine_runs_out_of_memory_kernels_end_before_servers_and_the_hub(
+    hub: ClassServer, students: list[SimulatedStudent], kernels: dict[str, str]
+) -> None:
+    look = "print(*(open(f'/proc/{pid}/oom_score_adj').read().strip() for pid in ('self', os.getppid())))"
+    assert in_kernel(students[0], kernels, f"import os; {look}") == "600 300\n"
+    assert {Path(f"/proc/{gate.pid}/oom_score_adj").read_text() for gate in hub.gates()} == {"0\n"}
+    lower = "open('/proc/self/oom_score_adj', 'w').write('299')"
+    with students[0].connected(kernels[students[0].name]) as kernel:
+        assert "PermissionError" in kernel.run(lower).error
+
+
 def test_a_student_who_starts_too_many_processes_harms_nobody_else(
     students: list[SimulatedStudent], kernels: dict[str, str]
 ) -> None:

@@ -40,6 +40,9 @@ def configure(config: Any) -> None:
         if uses_wheels():
             forget_search_path()
         prepare()
+        if "JUPYTERHUB_SERVICE_URL" in os.environ:
+            # If the class server runs out of memory, Linux then ends a kernel before a server (which has 300).
+            Path("/proc/self/oom_score_adj").write_text("600")
     except Exception as error:
         _problems.append(
             f"ROS is not set up in this kernel: {error} (`workbook doctor` in a terminal says more)"
