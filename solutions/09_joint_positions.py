@@ -18,10 +18,10 @@
 # %% [markdown]
 # # Exercise 09 · The joint positions
 #
-# Your humanoid already reports its status, *operational*, and its battery charge, 97 %. But the operator can't see how
-# its body moves. The operator's screen shows a figure of the robot with twelve joints, and that figure stays frozen,
-# because no node publishes the joint angles. Add a third topic to the status publisher so that the figure moves along
-# with the robot.
+# Your humanoid already reports its status (*operational*) and its battery charge (97 %). But the operator can't see how
+# the robot's body moves. The operator's screen shows a figure of the robot with twelve joints, and that figure stays
+# frozen, because no node publishes the joint angles. Add a third topic to the status publisher so that the figure moves
+# along with the robot.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson [09](../notebooks/09_joint_positions.ipynb). The
 # starter code below contains the status publisher from lesson [08](../notebooks/08_humanoid_status_publisher.ipynb).
@@ -41,9 +41,9 @@
 # - left hip, left knee, left ankle
 # - right hip, right knee, right ankle
 #
-# The message types are from `std_msgs.msg`. You choose how the simulated joints move: a sine wave, a random walk, or a
-# waving hand. At least two of the angles must change from one message to the next. (Up to a quarter of the messages may
-# repeat the previous message's angles, for example when a movement reverses.)
+# The message types are all in `std_msgs.msg`. You choose how the simulated joints move: a sine wave, a random walk, or
+# a waving hand. At least two of the angles must change from one message to the next. There's one exception: up to a
+# quarter of the messages may repeat the previous message's angles, for example when a movement reverses.
 #
 # ## What is judged
 #
@@ -62,13 +62,14 @@
 # | 1 | the program is still running at the end of the run |
 #
 # Your program must get as far as creating a publisher. If it doesn't, the feedback explains why, and nothing else is
-# judged. You may structure the program any way you like: as one class or several nodes, with any executor.
+# judged. You may structure the program any way you like: with one node or several, and with any executor.
 #
 # **Not judged:**
 #
 # - motors, real encoders, URDF, other topics
 # - the order of the angles (the screen depends on it, but the judge doesn't check it)
-# - the battery's initial charge, and how fast it drains. (It's fine if the battery isn't empty by the end of the run.)
+# - the battery's initial charge, and how fast the battery drains. (It's fine if the battery isn't empty by the end of
+#   the run.)
 # - how your program ends on Ctrl-C
 # %% [answer]
 """Simulate a humanoid robot that publishes its status, its battery charge, and the angles of its twelve joints."""

@@ -17,11 +17,11 @@
 # %% [markdown]
 # # Exercise 11 · A monitor that doesn't poll
 #
-# Your humanoid's hand is covered with a touch-sensitive skin that assigns a number to each touch. A monitor forwards
-# every number to the grip controller, which must loosen the grip before the egg in the hand breaks. But some numbers
-# are missing from the log, and some touches reach the grip controller only after the shell has cracked. You open the
-# program and find a loop that polls: five times a second, it checks which touch arrived last. Rewrite the program so
-# that it doesn't poll.
+# Your humanoid's hand is holding an egg. The hand is covered with a touch-sensitive skin that assigns a number to each
+# touch. A monitor is supposed to forward every number to the grip controller, which must loosen the grip before the egg
+# breaks. But some numbers never reach the grip controller, and others arrive there only after the shell has cracked.
+# You open the program and find a loop that polls: five times a second, it checks which touch arrived last. Rewrite the
+# program so that it doesn't poll.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [11](../notebooks/11_polling_against_callbacks.ipynb).
@@ -33,10 +33,10 @@
 # | `/robot/touch` | received | `Int32` | the number of a touch, such as 7 |
 # | `/monitor/seen` | published | `Int32` | the number of each touch, published once, as soon as the touch arrives |
 #
-# Touches can arrive one at a time or about a dozen at the same moment, and sometimes there are none for several
-# seconds. The skin started counting long before your monitor started. It sometimes skips a number, and it starts over
-# at 1 whenever it's switched on. So the same number can arrive again for a new touch. Report each touch that arrives,
-# and nothing else.
+# Touches can arrive one at a time or in bursts of about a dozen, and sometimes none arrive for several seconds. The
+# skin started counting long before your monitor started. It sometimes skips a number, and it starts over at 1 whenever
+# it's switched on. So the same number can arrive again for a new touch. Report each touch that arrives, and nothing
+# else.
 #
 # ## What is judged
 #
@@ -48,14 +48,14 @@
 # | 1 | the program subscribes to `/robot/touch` and publishes on `/monitor/seen`, both with the type `Int32` |
 # | 3 | no touch is missed |
 # | 2 | no touch is reported twice, and the reports are in the order of the touches |
-# | 2 | of the touches that arrive alone, at least three in four are reported within {{ALONE_MS}} ms. Of the touches that arrive together, at least half are reported within {{TOGETHER_MS}} ms |
+# | 2 | at least three out of four touches that arrive alone are reported within {{ALONE_MS}} ms. At least half of those that arrive together are reported within {{TOGETHER_MS}} ms |
 # | 1 | while no touches arrive, the program uses less than {{PROCESSOR_SHARE %}} of one CPU core |
 # | 1 | the program is still running at the end of the run |
 #
 # **Not judged:** the grip controller, messages lost on the way to your program, pauses longer than three seconds, and
-# how your program ends on Ctrl-C. DDS needs a moment to match your publisher with the judge's subscription, and the
-# judge doesn't receive reports that your program publishes before then. The judge can't distinguish a loop that polls a
-# hundred times a second from a callback, either. Remove the polling anyway.
+# how your program ends on Ctrl-C. DDS needs a moment to match your publisher with the judge's subscription. Until the
+# two are matched, the judge doesn't receive your program's reports. The judge also can't tell a callback from a loop
+# that polls a hundred times a second. Remove the polling anyway.
 # %% [answer]
 """Report each touch of the hand."""
 

@@ -38,10 +38,10 @@
 #   `message` field: it's meant for people, and the same text may come with either result.) Report each response only
 #   once, and at most {{TOLD_WITHIN_S}} s after it arrives. Report it even if the result is the same as the previous
 #   one.
-# - A response may take up to {{MAY_TAKE_S}} s. If it hasn't arrived one second after the call, you can be sure that it
-#   never will. For each call without a response, publish `no answer` once: no earlier than {{MAY_TAKE_S}} s and no
-#   later than {{GIVEN_UP_WITHIN_S}} s after the call. Then keep calling the service. (While you're waiting for a
-#   response, you may skip the call that would be due next.)
+# - A response may take up to {{MAY_TAKE_S}} s. For each call without a response, publish `no answer` once, no earlier
+#   than {{MAY_TAKE_S}} s and no later than {{GIVEN_UP_WITHIN_S}} s after the call. Waiting for one second is a safe
+#   choice, because a response that hasn't arrived by then never will. After a `no answer`, keep calling the service.
+#   (While you're waiting for a response, you may skip the next scheduled call.)
 #
 # ## What is judged
 #
@@ -61,22 +61,24 @@
 # To allow for busy machines, the judge applies these tolerances:
 #
 # - **Once a second** means that the median interval between calls is {{SHORTEST_PERIOD_S}} to {{LONGEST_PERIOD_S}} s.
-#   All intervals must be shorter than {{LONGEST_PAUSE_S}} s, and at most one may be longer than {{PAUSE_S}} s. But an
-#   interval that follows a call without a response doesn't count as that one, even if it's longer than {{PAUSE_S}} s.
-#   The number of calls is limited, too. Divide the time from the first call to the last by {{SHORTEST_PERIOD_S}} s, and
-#   round the result to the nearest integer. You may make at most that many calls after the first one.
-# - **A report** may be {{SLACK_S}} s later than stated above, and a single report may even be {{LATER_ONCE_S}} s later.
-#   A `no answer` may come up to {{LONG_SLACK_S}} s later than stated above, or up to {{SLACK_S}} s earlier. But if
-#   every `no answer` is more than {{NEARLY_S}} s early, that counts as an error.
-# - **5 Hz** means that the number of beats is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number, with a
-#   median interval of {{SHORTEST_BEAT_S}} to {{LONGEST_BEAT_S}} s. The final beat must arrive in the last {{STOPPED_S}}
-#   s of the run. While your node is waiting for a response, {{LEAST_MEANWHILE %}} of the expected beats are enough.
+#   All intervals must be shorter than {{LONGEST_PAUSE_S}} s, and at most one may be longer than {{PAUSE_S}} s. But
+#   intervals that follow a call without a response are exempt from the {{PAUSE_S}} s limit. The number of calls is
+#   limited, too. Divide the time from the first call to the last by {{SHORTEST_PERIOD_S}} s, and round the result to
+#   the nearest integer. The result is the maximum number of calls after the first one.
+# - **A report** may be up to {{SLACK_S}} s later than stated above, and one report may be up to {{LATER_ONCE_S}} s
+#   later. A `no answer` may come up to {{LONG_SLACK_S}} s later than stated above, or up to {{SLACK_S}} s earlier.
+#   Those {{SLACK_S}} s allow for an occasional early report, so if every `no answer` is more than {{NEARLY_S}} s early,
+#   that counts as an error.
+# - **5 Hz** means that the number of beats is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number. The median
+#   interval between beats must be {{SHORTEST_BEAT_S}} to {{LONGEST_BEAT_S}} s, and the final beat must arrive in the
+#   last {{STOPPED_S}} s of the run. While your node is waiting for a response, {{LEAST_MEANWHILE %}} of the expected
+#   beats are enough.
 #
 # You may structure the program any way you like: with callbacks, `await`, threads, or several nodes.
 #
 # **Not judged:** offering a service, waiting until the service is available, the text of a heartbeat, and how your
-# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may belong to
-# a call that was sent before the judge was connected.
+# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may report a
+# call that your node made before the judge was connected.
 # %% [answer]
 """Call the robot's self-test once a second, and report each result to the control room."""
 

@@ -38,22 +38,21 @@
 # | topic | type | when | content |
 # |---|---|---|---|
 # | `/dashboard/line` | `String` | 2 Hz, always | the last status that the dashboard has received, for example `status: error`, or `unknown` until the first one arrives. A line never contains more than one of the words `operational`, `error`, and `unknown` |
-# | `/dashboard/alarm` | `Bool` | at least whenever the alarm changes | whether there is an alarm (see below); the last message is kept for late subscriptions |
+# | `/dashboard/alarm` | `Bool` | at least whenever the alarm changes | whether there is an alarm (see below); the last message is kept for subscriptions created later |
 #
 # Within {{AT_ONCE_S}} s of the start, the line must show the status that the robot published before your program
 # started. A new status must appear within {{FOLLOWS_S}} s of being published.
 #
 # The alarm is raised (`True`) when no beat has arrived for about 2 s. It must be raised no earlier than
-# {{NOT_BEFORE_S}} s and no later than {{NOT_AFTER_S}} s after the last beat. It stays on until the next beat arrives,
-# and must end (`False`) at most {{FALLS_WITHIN_S}} s after that beat. Before the first beat, the alarm may have either
-# value.
+# {{NOT_BEFORE_S}} s and no later than {{NOT_AFTER_S}} s after the last beat. It must stay on until the next beat
+# arrives, and then end (`False`) within {{FALLS_WITHIN_S}} s of that beat. Before the first beat, the alarm may have
+# either value.
 #
 # ## What is judged
 #
-# Your program runs in its own process for fifteen seconds of real time. The judge plays the part of the robot. It
-# publishes a status before your program starts, and changes the status several times while your program is running. One
-# beat comes late, and the heartbeat stops twice, for almost four seconds each time. After each stop, the heartbeat
-# resumes.
+# Your program runs in its own process for fifteen seconds of real time. The judge stands in for the robot. It publishes
+# a status before your program starts, and changes the status several times while your program is running. One beat
+# comes late, and the heartbeat stops twice, each time for almost four seconds before it resumes.
 #
 # | points | criterion |
 # |---:|---|
@@ -62,7 +61,7 @@
 # | 2 | within {{AT_ONCE_S}} s, the line shows the status that the robot published before your program started |
 # | 1 | the line is updated when the status changes |
 # | 1 | the program receives the heartbeat |
-# | 1 | `/dashboard/alarm` carries `Bool` messages, and the last one is kept for late subscriptions (reliable, transient local) |
+# | 1 | `/dashboard/alarm` carries `Bool` messages, and the last one is kept for subscriptions created later (reliable, transient local) |
 # | 1 | the alarm is raised within {{NOT_AFTER_S}} s of silence |
 # | 1 | the alarm isn't raised too early |
 # | 1 | the alarm ends when the heartbeat resumes |
@@ -74,9 +73,9 @@
 #
 # **Not judged:**
 #
-# - the line's content in the first second, and whether you publish a line during that second. (The judge's robot
-#   publishes a status before your program starts, so only the lines in that second may show `unknown`.)
-# - whether the alarm is published more often than it changes
+# - the line's content in the first second, and whether you publish a line during that second. (Such a line may still
+#   show `unknown`. Later lines may not, because the judge's robot publishes a status before your program starts.)
+# - whether you also publish the alarm when it hasn't changed
 # - how your program ends
 # %% [answer]
 """Show a robot's last status, even after a late start, and raise an alarm when its heartbeat stops."""
@@ -180,8 +179,8 @@ if __name__ == "__main__":
 # All policies with their defaults: [About quality of service
 # settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html)
 # %% [hint]
-# - **The earlier status:** Use `QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)` for the
-#   subscription. Use the same profile for the publisher of your alarm, because other subscriptions may be late, too.
+# - **The earlier status:** Use `QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)` for the subscription.
+#   Use the same profile for your alarm's publisher, because other programs may subscribe late, too.
 # - **The heartbeat:** Use `reliability=ReliabilityPolicy.BEST_EFFORT`, or `qos_profile_sensor_data`.
 # - **The silence:** Use a timer that compares `time.monotonic()` with the time of the last beat, or
 #   `SubscriptionEventCallbacks(deadline=...)`. If you request a deadline, it must not be shorter than the offered 0.5
@@ -213,7 +212,7 @@ if __name__ == "__main__":
 #             self.alarm_publisher.publish(Bool(data=___))
 # ```
 #
-# `QoSProfile`, `DurabilityPolicy`, and `ReliabilityPolicy` come from `rclpy.qos`. Why late subscriptions need them:
+# `QoSProfile`, `DurabilityPolicy`, and `ReliabilityPolicy` come from `rclpy.qos`. Why later subscriptions need them:
 # [About quality of service
 # settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html)
 # %% [alternatives]

@@ -18,10 +18,10 @@
 # %% [markdown]
 # # Exercise 14 · Twelve steady joints
 #
-# The humanoid stands still, but its hands tremble. The motors are fine, but the joint encoders are noisy, and the
-# controller reacts to every bit of that noise. Put a filter between the encoders and the controller. But a filter also
-# uses past measurements, so its output usually lags behind the joint. With too much delay, the robot falls over. So you
-# need both: less noise and little delay.
+# The humanoid is standing still, but its hands are trembling. The motors are fine, but the joint encoders are noisy,
+# and the controller reacts to every bit of that noise. Put a filter between the encoders and the controller. But a
+# filter also uses past measurements, so its output usually lags behind the joint. With too much delay, the robot falls
+# over. So you need both: less noise and little delay.
 #
 # **About 35 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
 # [14](../notebooks/14_arrays_and_filters.ipynb).
@@ -39,8 +39,8 @@
 # | 40.15 s | 0.93 | 0.957 | the mean of 0.97, 0.97, and 0.93 |
 # | 0.75 s | 0.14 | 0.140 | this stamp is earlier than the previous one, because the encoder board was restarted: reset the filter's state |
 #
-# This filter isn't good enough, because it leaves about 58 % of the noise. Yours must do better, for twelve joints at
-# the same time.
+# This filter isn't good enough, because it leaves about 58 % of the noise. Yours must do better, and it must filter
+# twelve joints at the same time.
 #
 # ## What to build
 #
@@ -51,7 +51,7 @@
 # | `/encoders/joint_states` | `JointState` | subscribes | 20 messages a second, with the names and noisy angles of 12 joints |
 # | `/robot/joint_states` | `JointState` | publishes | one message with the filtered angles for each message received |
 #
-# We call the message that your node publishes for a received message its *answer*. `JointState` is in
+# An *answer* is the message that your node publishes in response to a received message. `JointState` is in
 # `sensor_msgs.msg`. Its `position` field holds the angles in rad; `velocity` and `effort` are empty. The judge's
 # publisher offers reliable, volatile QoS with a queue depth of 100. The starter code's subscription, with a queue depth
 # of 50, is compatible with that.
@@ -71,8 +71,9 @@
 #
 # **The noise** has a standard deviation of {{NOISE_RAD}} rad and never exceeds {{LARGEST_NOISE_RAD}} rad.
 #
-# **NaNs.** Sometimes, in up to three consecutive messages, one, several, or all of the angles are NaN. This happens
-# only while the joints are at rest, and never in the judge's first message or in the first message after a restart.
+# **NaNs.** Sometimes, one, several, or all of a message's angles are NaN. At most three messages in a row contain NaNs.
+# This happens only while the joints are at rest, and never in the judge's first message or in the first message after a
+# restart.
 #
 # **The restart.** A stamp is the time of the measurement, in seconds since the encoder board was switched on. When an
 # engineer switches the board off and on again, the stamps start over near zero. So you can recognize a restart by a
@@ -82,28 +83,28 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process. The judge publishes {{MESSAGES}} messages, in which the joints are at rest,
-# move, are at rest again (this time with some NaNs), and move back. Then the board is restarted, and two seconds later,
-# it's restarted again. The judge waits for each answer and measures how long the answer takes in real time. It compares
-# the angles in your answers with the true ones.
+# Your program runs in its own process. The judge publishes {{MESSAGES}} messages. In the course of these messages, the
+# joints rest, move, rest again (this time with some NaNs), and move back. Then the board is restarted, and two seconds
+# later, it's restarted again. The judge waits for each answer and measures how long the answer takes in real time. It
+# compares the angles in your answers with the true ones.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | your node subscribes to `/encoders/joint_states`, with the type `JointState` |
 # | 1 | `/robot/joint_states` carries `JointState` messages |
-# | 1 | each answer has its message's stamp and names, and an angle for each joint |
+# | 1 | each answer has the stamp and the names of the message that it answers, and an angle for each joint |
 # | 2 | every message is answered exactly once, right away, and in order |
 # | 1 | at most {{MOST_NOISE %}} of the noise is left |
 # | 1 | the published angles lag at most {{LONGEST_DELAY_S}} s behind the joints |
 # | 1 | the first published angles are close to the joints' actual angles |
 # | 1 | your node notices each restart and resets the filter's state |
-# | 1 | NaNs don't spoil the published angles |
+# | 1 | NaNs don't corrupt the published angles |
 #
 # The last five criteria count only if the node actually filters the angles. The judge checks this while the joints are
 # at rest. If the published angles are the same as the received ones, or far from the true ones, only the first four
-# criteria count. You may use any filter, in NumPy, SciPy, or plain Python. Your program may have any structure, with
-# one filter object for all joints or one for each. `rclpy.experimental.EventsExecutor` doesn't work in this rclpy
-# build: its `spin()` never runs a callback.
+# criteria count. You may use any filter, in NumPy, SciPy, or plain Python. You may structure your program any way you
+# like, for example with one filter object for all joints or with one for each. `rclpy.experimental.EventsExecutor`
+# doesn't work in this rclpy build: its `spin()` never runs a callback.
 #
 # **Not judged:** velocities, efforts, the header's frame, lost messages, irregular stamps, and how your program ends on
 # Ctrl-C.
@@ -114,18 +115,18 @@
 # |---|---|
 # | answered right away | at least half of the answers are published within {{TYPICALLY_S}} s of their message, and at least nine out of ten within {{AT_ONCE_S}} s |
 # | names and angles | each answer has 12 names and 12 angles |
-# | noise | in the first period at rest, and after the first restart, at most {{MOST_NOISE %}} of the noise is left across all joints. At any single joint, at most {{MOST_NOISE_OF_ONE %}} is left |
-# | delay | in each movement, the published angles lag by at most {{LONGEST_DELAY_S}} s, taken over all joints. At any single joint, they lag by at most {{LONGEST_DELAY_OF_ONE_S}} s |
+# | noise | in the first period at rest, and after the first restart, at most {{MOST_NOISE %}} of the noise is left, measured across all joints. For any single joint, at most {{MOST_NOISE_OF_ONE %}} is left |
+# | delay | in each movement, the published angles lag by at most {{LONGEST_DELAY_S}} s, measured across all joints. For any single joint, they lag by at most {{LONGEST_DELAY_OF_ONE_S}} s |
 # | first angles | in each of the first {{STARTING}} answers, every angle is within {{NEAR_RAD}} rad of the joint's true angle |
 # | after a restart | in each of the first {{STARTING}} answers after it, every angle is within {{NEAR_RAD}} rad of the joint's true angle |
-# | NaNs | from the first NaN until the first restart, every angle is a finite number. Until the joints move again, it's within {{NEAR_RAD}} rad of the joint's true angle; near the end of that movement, it's within {{FOLLOWS_RAD}} rad |
+# | NaNs | from the first NaN until the first restart, every angle is a finite number. Until the joints start to move back, every angle is within {{NEAR_RAD}} rad of the joint's true angle. Near the end of that movement, every angle is within {{FOLLOWS_RAD}} rad |
 # | overshoot | overshoot counts like any other error. But angles that run ahead of their joint don't count as delayed, no matter how far ahead they are |
 # | the same as the received ones | at every joint, the published angles differ from the received ones by at most {{LEAST_CHANGE_RAD}} rad |
 # | far from the true ones | at least one joint has a mean error of more than {{LARGEST_NOISE_RAD}} rad |
 #
 # The noise, and the difference between published and received angles, are measured as root mean squares. The judge
 # ignores noise and delay for 1 s ({{SETTLED}} messages) after the first message and after each restart. It also ignores
-# them for 1 s each time the joints start or stop moving. A filter needs that long to settle.
+# them for 1 s after the joints start or stop moving. A filter needs that long to settle.
 # %% [answer]
 """Filter noisy joint angles: publish them with less noise and little delay."""
 

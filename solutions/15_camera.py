@@ -20,9 +20,9 @@
 # # Exercise 15 · Eyes on the ball
 #
 # A ball rolls across the desk, and the robot is supposed to keep its eyes on the ball. The camera works and publishes
-# {{RATE_HZ}} images a second, but the node between the camera and the neck is missing. That node finds the ball in each
-# image and publishes the ball's direction. If it reported a ball that isn't there, the robot would reach into empty
-# space. So the node must also report when there's no ball.
+# {{RATE_HZ}} images a second, but the node between the camera and the neck is missing. You'll write that node: it finds
+# the ball in each image and publishes the ball's direction. If it reported a ball that isn't there, the robot would
+# reach into empty space. So when there's no ball, the node must report "no ball".
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [15](../notebooks/15_camera.ipynb).
 #
@@ -39,10 +39,11 @@
 # reliable, volatile QoS with a queue depth of 100. The starter code requests best effort, which is compatible with a
 # reliable publisher. Best effort also works with real cameras, which often offer nothing else.
 #
-# **The scene.** The ball is orange. There's also a blue ball on the desk, along with a brick that's just as orange as
-# the orange ball. The brick can be farther away than the orange ball, or nearer. But the two never overlap in the
-# image, so you'll never see an orange ball in front of an orange brick. The robot's own gray hands sometimes come into
-# view. There's at most one orange ball. It's never partly hidden, and it's at least 11 pixels wide.
+# **The scene.** The ball is orange. There's also a blue ball on the desk, along with a brick in the same shade of
+# orange as the orange ball. The brick can be either closer to the camera than the orange ball or farther away. But the
+# two never overlap in the image, so you'll never see an orange ball in front of an orange brick. The robot's own gray
+# hands sometimes come into view. There's at most one orange ball. It's never partly hidden, and it's at least 11 pixels
+# wide.
 #
 # **The light** varies in brightness, from 40 % to 110 % of full daylight. Its color also varies a little, from warmer
 # to cooler.
@@ -56,27 +57,27 @@
 # | is accurate | each direction points to the ball's center |
 # | reports "no ball" if there is none | it publishes the vector (0, 0, 0) |
 # | copies the image's stamp | each direction's header has the stamp of its image |
-# | keeps up with {{RATE_HZ}} images a second | for most images, it publishes a direction right away, and never more than one for the same image |
+# | keeps up with {{RATE_HZ}} images a second | it publishes at most one direction per image, and for most images, it does so right away |
 # | reads `rgb8` and `bgr8` | it uses the right color order, even if the encoding changes from one image to the next |
 # | uses `step` | it can read images whose rows end with {{PADDING}} unused bytes |
 # | rejects every other encoding | it publishes nothing for the image, logs a line that names the encoding, and keeps running |
 #
 # ## What is judged
 #
-# Your program runs as its own process. The judge plays the part of the camera: it publishes {{PICTURES}} images that
-# you haven't seen, some of them in encodings other than `rgb8`. The judge compares your directions with the true ones.
+# Your program runs in its own process. The judge stands in for the camera: it publishes {{PICTURES}} images that you
+# haven't seen, some of them in encodings other than `rgb8`. The judge compares your directions with the true ones.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | your node subscribes to `/camera/image` with the type `Image`, and publishes `Vector3Stamped` messages on `/robot/ball_direction` |
 # | 1 | each direction has the stamp of its image, and there's only one direction per image |
 # | 1 | your node keeps up with {{RATE_HZ}} images a second |
-# | 1 | your node rejects other encodings, logs a line that names each of them, and keeps running |
+# | 1 | your node rejects encodings other than `rgb8` and `bgr8`, logs a line that names each of them, and keeps running |
 # | 2 | in good light, the direction for an `rgb8` image is correct |
 # | 1 | in changing light, the direction is correct |
 # | 1 | for `bgr8`, the direction is correct |
 # | 1 | for rows with padding, the direction is correct |
-# | 1 | if there's no ball, your node reports that |
+# | 1 | when there's no ball, your node reports "no ball" |
 #
 # The criteria for changing light and for padding count only if the direction is correct in good light. Padding is
 # judged in both encodings, but padded `bgr8` images count only if the direction is correct for `bgr8` without padding.
@@ -91,7 +92,7 @@
 # | accuracy | each direction is within {{WITHIN_DEG}}° of the direction to the ball's center |
 # | most images | your node publishes a direction for at least {{LEAST_SHARE %}} of the images that it should be able to read |
 # | right away | at least half of the directions are published within {{TYPICALLY_S}} s of their image, and at least nine out of ten within {{AT_ONCE_S}} s |
-# | good light | the light is at least {{BRIGHT %}} of full daylight, and the rows have no padding |
+# | good light | the light is at least {{BRIGHT %}} of full daylight. (Images with padding are judged separately.) |
 # %% [answer]
 """Find the orange ball in a camera's images, and publish its direction."""
 

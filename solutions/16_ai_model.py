@@ -21,15 +21,15 @@
 #
 # Your robot is clearing a desk. A neural network finds the toys on the desk, but the network takes {{MODEL_S}} s per
 # image. The camera publishes {{CAMERA_HZ}} images a second, and the rest of the robot can't wait for the network. A
-# heartbeat must be published ten times a second. If the robot falls, that must be reported within half a second. We
-# provide the network. Write the node around it.
+# heartbeat must be published ten times a second. A fall must be reported within half a second. We provide the network.
+# Write the node around it.
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [16](../notebooks/16_ai_model.ipynb).
 #
 # ## An example
 #
-# Here's what a working node does in its first 0.6 s. Image 1 has the stamp 512.000 s, and a new image arrives every
-# 0.033 s. Image 7 is washed out by glare.
+# Here's what a working node does in its first 0.6 s. Image 1 is stamped 512.000 s, and a new image arrives every 0.033
+# s. Image 7 is washed out by glare.
 #
 # | time | event | `/robot/detections` |
 # |---:|---|---|
@@ -55,15 +55,16 @@
 # `Image` and `Imu` are in `sensor_msgs.msg`, and `MarkerArray` is in `visualization_msgs.msg`. The judge's publishers
 # offer reliable, volatile QoS with a queue depth of 100.
 #
-# The starter code subscribes to images with a queue depth of 10. As lesson 16 shows, a queue that deep makes the
-# detections out of date by the time they're published. We left it that way on purpose, because choosing the queue depth
-# is part of your task.
+# The starter code subscribes to images with a queue depth of 10. As lesson 16 shows, with a queue that deep, the
+# detections are out of date by the time they're published. We left it that way on purpose, because choosing the queue
+# depth is part of your task.
 #
 # **The model** that we provide is `SlowDetector`. It finds orange toys: balls, bricks, cups, and plates. It expects RGB
-# pixels (`uint8`), and it doesn't hold the GIL while it waits for its accelerator. Loading it takes one second. If an
-# image is washed out by glare, it raises `RuntimeError`. You may call it from several threads, but it processes one
-# image at a time. A second call has to wait for the first, and the second image gets older in the meantime. So calling
-# the model from a second thread would only make the detections older. We also provide `to_markers` and `tilt`.
+# pixels (`uint8`). While it waits for its accelerator, it doesn't hold the GIL, so your program's other threads keep
+# running. Loading it takes one second. If an image is washed out by glare, it raises `RuntimeError`. You may call it
+# from several threads, but it processes one image at a time. A second call has to wait for the first, and the second
+# image gets older in the meantime. So calling the model from two threads at the same time would only make the
+# detections older. We also provide `to_markers` and `tilt`.
 #
 # **The desk.** Each image shows a ball, a cup, a plate, and two bricks, so an empty `MarkerArray` is never right.
 # There's also a blue ball on the desk, but it doesn't count as a toy.
@@ -79,14 +80,14 @@
 # | detects correctly | each message has the right toys in the right places |
 # | survives the model's exceptions | if the model raises an exception, your node publishes nothing for that image, not even an empty message. It logs the exception's text and continues with the newest image |
 # | reports a fall | if ten samples in a row are tilted by more than {{TILT_DEG}}°, the status changes to `error` |
-# | raises no false alarm | it never publishes `error` before the fall: a jolt of nine samples isn't a fall, and neither is leaning by 55° |
+# | raises no false alarm | it never publishes `error` before the fall: a jolt that lasts nine samples isn't a fall, and neither is leaning by 55° |
 # | remembers the fall | after the first `error`, it never publishes `operational` again, even if someone sets the robot upright |
 #
 # ## What is judged
 #
-# Your program runs in its own process for about twelve seconds of real time. The judge plays the parts of the camera
-# and the IMU. It sends {{PICTURES}} images that you haven't seen, including 1.2 s of glare. It knows which toys are on
-# the desk, and when the robot falls.
+# Your program runs in its own process for about twelve seconds of real time. The judge stands in for the camera and the
+# IMU. It sends {{PICTURES}} images that you haven't seen. Glare washes out the images for 1.2 s in total. The judge
+# compares your node's messages with the actual toys and the actual time of the fall.
 #
 # | points | criterion |
 # |---:|---|
@@ -98,18 +99,19 @@
 # | 1 | your node keeps working after the model raises an exception |
 # | 2 | `/robot/status` reports `error` after the fall, but not before, and never goes back to `operational` |
 #
-# **Not judged:** training, where the toys are in the room, getting up after a fall, and how your program ends. The
-# judge reads only three of a marker's fields: `header`, `ns` (the label), and `pose.position` (x: column, y: row).
+# **Not judged:** training a model, locating toys in the room (rather than in the image), getting up after a fall, and
+# how your program ends. The judge reads only three of a marker's fields: `header`, `ns` (the label), and
+# `pose.position` (x: column, y: row).
 #
 # **Tolerances**
 #
 # | requirement | passes if |
 # |---|---|
-# | heartbeat | from the first heartbeat on, the rate is {{LEAST_BEATS %}} to {{MOST_BEATS %}} of 10 Hz. The heartbeat is never silent for more than {{LONGEST_SILENCE_S}} s |
+# | heartbeat | from the first heartbeat on, the number of heartbeats is {{LEAST_BEATS %}} to {{MOST_BEATS %}} of the number expected at 10 Hz. The heartbeat never pauses for more than {{LONGEST_SILENCE_S}} s |
 # | fresh | at least half of the messages are published within {{TYPICALLY_S}} s of their image, and at least nine out of ten within {{MOSTLY_S}} s |
 # | often | except during the glare, the node publishes detections for at least {{LEAST_HZ}} images a second, even after a fall |
 # | not guessed | each message is published at least {{SOONEST_S}} s after its image |
-# | correct | at least {{RIGHT_SHARE %}} of the messages are correct. In a correct message, every toy that's at least {{WHOLE %}} visible has a marker with its label, at most {{WITHIN_PIXELS}} pixels from its center. There are no other markers, except that less visible toys may have one, too |
+# | correct | at least {{RIGHT_SHARE %}} of the messages are correct. In a correct message, every toy that's at least {{WHOLE %}} visible has a marker with its label, at most {{WITHIN_PIXELS}} pixels from its center. Less visible toys may have a marker, too, but nothing else may have one |
 # | continues | the node publishes detections again within {{PAUSE_S}} s of the end of the glare |
 # | fall | the first `error` is published within {{FALL_WITHIN_S}} s of the tenth tilted sample |
 # %% [answer]

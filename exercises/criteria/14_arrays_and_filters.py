@@ -531,7 +531,7 @@ def answers_come(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="Each answer has its message's stamp and names, and an angle for each joint",
+    title="Each answer has the stamp and names of the message it answers, and an angle for each joint",
     needs=[answers_come],
 )
 def labels_kept(recording: Recording) -> Verdict:
@@ -584,7 +584,7 @@ def restart_noticed(recording: Recording) -> Verdict:
     return begins(Start(recording, 2), BEGIN_AGAIN) if verdict.ok else verdict
 
 
-@criterion(points=1, title="NaNs don't spoil the published angles", needs=[filters])
+@criterion(points=1, title="NaNs don't corrupt the published angles", needs=[filters])
 def survives_nan(recording: Recording) -> Verdict:
     answers = ANSWERS(recording)
     return AFTER_NAN.first(answers) or TOO_FEW["near"].first(answers.nan.section) or IS_NEAR
