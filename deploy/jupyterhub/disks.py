@@ -119,9 +119,8 @@ def _mount(image: Path, disk: Path) -> None:
     device = _device(image)
     _run("mount", "-o", OPTIONS if device else f"{OPTIONS},loop", device or str(image), str(disk))
     device = _device(image)
-    if (
-        not device or os.stat(device).st_rdev != disk.stat().st_dev
-    ):  # it was given to another image in between
+    is_its_own = bool(device) and os.stat(device).st_rdev == disk.stat().st_dev
+    if not is_its_own:  # meanwhile, the device was given to another image
         _run("umount", str(disk))
         raise NoDisk(f"{image} changed its loop device; starting the server again helps")
 

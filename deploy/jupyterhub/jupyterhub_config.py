@@ -19,19 +19,21 @@ if os.geteuid() != 0 or shutil.which("bwrap") is None:
     raise SystemExit("The class server needs root and bubblewrap (apt install bubblewrap).")
 
 disk = os.environ.get("CLASS_DISK", "2G")
-if disk not in ("", "0") and disks.missing():
+is_limited = disk not in ("", "0")
+if is_limited and disks.missing():
     raise SystemExit(
         f"To limit disk space, the class server needs {disks.missing()}. CLASS_DISK=0 sets no limit."
     )
 
 # The ports to listen on. Only the first of the three is for browsers.
 port = int(os.environ.get("CLASS_PORT", "8000"))
-disks.enter_mounts(port + 1)
 
 c = get_config()  # type: ignore[name-defined]  # noqa: F821
 
 folder = Path(os.environ.get("CLASS_FOLDER", "/srv/class"))
 folder.mkdir(parents=True, exist_ok=True)
+if is_limited or disks.students_with_image(folder):
+    disks.enter_mounts(port + 1)
 state = folder / "hub"
 state.mkdir(mode=0o700, exist_ok=True)  # cookies, tokens, and the list of users' servers
 os.chdir(state)
@@ -63,7 +65,7 @@ c.ClassSpawner.default_url = "/lab"
 c.ClassSpawner.env_keep = ["LANG", "LC_ALL"]
 c.ClassSpawner.mem_limit = os.environ.get("CLASS_MEMORY", "1500M")
 c.ClassSpawner.cpu_limit = float(os.environ.get("CLASS_PROCESSORS", "1"))
-c.ClassSpawner.disk_limit = 0 if disk in ("", "0") else disk
+c.ClassSpawner.disk_limit = disk if is_limited else 0
 c.ClassSpawner.start_timeout = 120
 c.ClassSpawner.http_timeout = 120
 c.JupyterHub.concurrent_spawn_limit = 10

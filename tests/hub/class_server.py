@@ -14,6 +14,7 @@ from typing import TypeVar
 
 import psutil
 
+from deploy.jupyterhub import disks
 from deploy.jupyterhub.limits import PREFIX, remove_groups
 from deploy.jupyterhub.places import STUDENTS
 from tests.hub.simulated_student import SimulatedStudent
@@ -76,6 +77,7 @@ class ClassServer:
             "CLASS_PASSWORD": PASSWORD,
             "CLASS_INSTRUCTORS_PASSWORD": PASSWORD_OF_INSTRUCTORS,
             "CLASS_PORT": str(self.port),
+            **({"CLASS_DISK": "0"} if disks.missing() else {}),
             "PYTHONPATH": "",
         }
         with self.log.open("ab") as log:
