@@ -30,7 +30,7 @@
 #
 # | when | what happens |
 # |---|---|
-# | at the start | exactly one node is on the graph: `/night_guard` |
+# | at the start | exactly one node is in the graph: `/night_guard` |
 # | all night | the guard makes its rounds and logs each one, until the program is stopped |
 # | on Ctrl-C | the program calls `park()`, which prints `arms parked` |
 # | after that | the program ends by itself, with exit code 0 and no traceback, and its node leaves the graph |
@@ -48,7 +48,7 @@
 # |---:|---|
 # | 1 | the program keeps running until Ctrl-C |
 # | 1 | the guard makes its rounds |
-# | 1 | `/night_guard` is on the graph exactly once |
+# | 1 | `/night_guard` appears in the graph exactly once |
 # | 2 | the arms are parked after Ctrl-C, and not before |
 # | 3 | Ctrl-C ends the program with exit code 0 and no traceback |
 # | 2 | after Ctrl-C, the program's node leaves the graph |
@@ -120,7 +120,7 @@ if __name__ == "__main__":
 # - Code in `finally` runs after the `except` block. It also runs after any other exception.
 # - On Ctrl-C, rclpy shuts the context down on its own, at about the same time as Python raises the exception. After
 #   that, `rclpy.shutdown()` would raise an exception, but `rclpy.try_shutdown()` doesn't.
-# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays on the graph.
+# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays in the graph.
 # %% [hint]
 # ```python
 # rclpy.init(args=args)

@@ -1,6 +1,6 @@
 # ---
 # exercise: 02_nodes
-# title: Eyes in the back of the head
+# title: Eyes in the back of its head
 # minutes: 20
 # difficulty: 2
 # kind: program
@@ -15,7 +15,7 @@
 #   - how spin and executors work (lesson 06); the given main() takes care of both
 # ---
 # %% [markdown]
-# # Exercise 02 · Eyes in the back of the head
+# # Exercise 02 · Eyes in the back of its head
 #
 # Your humanoid sees only the area in front of it. So when people walk up from behind, they startle it, or it startles
 # them. That's why it's getting a second camera, in the back of its head. The second camera is the same model as the
@@ -35,9 +35,10 @@
 # | `/robot/camera` | `/robot/camera/frame` | `/robot/faults` |
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
-# The driver uses private and relative topic names, so the topic names follow from the names of the two nodes. Both
-# cameras publish their reports on the same topic, so each report begins with its camera's name, as in
-# `rear_camera: none`. Write all of your code in `make_cameras`. The class and `main` need no changes.
+# The driver's topic names are private (`~/frame`) or relative (`faults`). So ROS completes the first with the node's
+# namespace and name, and the second with the namespace alone. Both cameras publish their reports on the same topic, so
+# each report begins with its camera's name, as in `rear_camera: none`. Write all of your code in `make_cameras`. The
+# class and `main` need no changes.
 #
 # ## What is judged
 #
@@ -47,12 +48,12 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | `/robot/camera` is on the graph exactly once |
-# | 2 | `/robot/rear_camera` is on the graph exactly once |
+# | 1 | `/robot/camera` appears in the graph exactly once |
+# | 2 | `/robot/rear_camera` appears in the graph exactly once |
 # | 1 | the front camera's images arrive at 2 Hz |
 # | 2 | the rear camera's images arrive at 2 Hz |
 # | 1 | each camera's fault reports arrive on `/robot/faults` once a second |
-# | 2 | there are no other nodes on the graph: no duplicates, no third node, and no node outside `/robot` |
+# | 2 | there are no other nodes in the graph: no duplicates, no third node, and no node outside `/robot` |
 # | 1 | the program is still running at the end |
 #
 # **Not judged:** the content of the images, launch files, how your program ends, and the driver's code. The judge

@@ -6,7 +6,7 @@
 # kind: function
 # clock: wall
 # objectives:
-#   - creating a publisher, and filling and publishing a message
+#   - creating a publisher, and filling in and publishing a message
 #   - publishing any number without changing its value
 #   - raising an error for any value that isn't a number, instead of publishing 0.0
 # out_of_scope:
@@ -33,9 +33,9 @@
 #
 # | part | description |
 # |---|---|
-# | class | `BatteryPublisher`, a `Node` that is created without arguments |
+# | class | `BatteryPublisher`, a subclass of `Node`; other code creates it with `BatteryPublisher()` |
 # | topic | `/robot/battery`, type `Float32` from `std_msgs.msg` |
-# | method | `publish_level(level)`, which publishes one message, containing the charge in percent, before it returns |
+# | method | `publish_level(level)`, which publishes one message with the charge in percent before it returns |
 #
 # `level` is the value that the battery driver returned:
 #
@@ -48,19 +48,19 @@
 # | a float that can't be a measurement | `nan`, `inf`, or `-inf`, from Python or NumPy | raises an error and publishes nothing |
 #
 # Each call is independent of earlier calls. Publish a number even if you published the same number before. After an
-# error, publish the next number as usual. A call may follow the previous one after only a few milliseconds.
+# error, publish the next number as usual. Calls may come only a few milliseconds apart.
 #
 # You choose which error to raise. The usual choices are `TypeError` for a wrong type and `ValueError` for a wrong
 # value.
 #
 # ## What is judged
 #
-# A test program imports your file and creates one `BatteryPublisher`. (In the feedback, *the driver* means this test
-# program, not the battery driver.) The test program calls `publish_level` with {{COUNT}} values, one after another.
-# These are values like the ones above, and some of them occur more than once. For each call, the test program records
+# A test program imports your file and creates one `BatteryPublisher`. (The feedback calls the test program *the
+# driver*, but it isn't the battery driver.) The test program calls `publish_level` with {{COUNT}} values, one after
+# another. The values are similar to those above, and some occur more than once. For each call, the test program records
 # whether the call returned or raised an error. It also records whether anything was published before the first call.
-# The judge compares these records with the messages on the topic. During the test, rclpy doesn't check the types of
-# fields, because these checks are off by default.
+# The judge compares these records with the messages on the topic. During the test, rclpy won't catch a wrong field type
+# for you, because its type checks are off by default.
 #
 # | points | criterion |
 # |---:|---|

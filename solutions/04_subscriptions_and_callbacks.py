@@ -18,12 +18,12 @@
 # %% [markdown]
 # # Exercise 04 · A battery monitor
 #
-# The guide robot has a new battery sensor and a bad cable. Most readings are correct. But when the cable shakes, the
-# sensor publishes a reading that no battery could produce. Last week, the robot acted on one of these readings and lay
-# down in the middle of the hall. The cable can't be replaced until spring. Until then, a monitor has to filter the
-# readings: it passes on the good ones and raises an alarm for each bad one. The robot's other programs will subscribe
-# to your monitor's topics instead of the sensor's. A second robot with the same kind of sensor works in the same hall.
-# Your monitor must ignore that robot's sensor.
+# The guide robot has a new battery sensor and a bad cable. Most readings are correct. But whenever the cable is jolted,
+# the sensor publishes an impossible reading. Last week, the robot acted on one of these readings and lay down in the
+# middle of the hall. The cable can't be replaced until spring. Until then, a monitor has to filter the readings: it
+# passes on the good ones and raises an alarm for each bad one. The robot's other programs will subscribe to your
+# monitor's topics instead of the sensor's. A second robot with the same kind of sensor works in the same hall. Your
+# monitor must ignore that robot's sensor.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [04](../notebooks/04_subscriptions_and_callbacks.ipynb).
@@ -34,7 +34,7 @@
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/robot/battery` | `Float32` | subscribes | charge in percent: about ten readings a second, sometimes four at almost the same moment |
+# | `/robot/battery` | `Float32` | subscribes | charge in percent: about ten readings a second, sometimes four in rapid succession |
 # | `/monitor/battery` | `Float32` | publishes | each good reading, unchanged, within {{AT_ONCE_S}} s, and in the order of arrival |
 # | `/monitor/alarm` | `String` | publishes | one message for each bad reading, with the reading's value in its text, as in `bad reading: -3.0`; one decimal place is enough |
 #
@@ -62,8 +62,8 @@
 # | 1 | good readings raise no alarm |
 # | 1 | the program ignores `/other_robot/battery` |
 #
-# You may structure the program any way you like: with a class, a function as the callback, two nodes, or a different
-# executor. Because the machine may be busy, up to one good reading in ten may take longer than {{AT_ONCE_S}} s.
+# You may structure the program any way you like: with a class or just functions, one node or two, and any executor.
+# Because the machine may be busy, up to one good reading in ten may take longer than {{AT_ONCE_S}} s.
 #
 # **Not judged:** publishing rates, how soon an alarm follows a bad reading, and how your program ends on Ctrl-C.
 # %% [answer]

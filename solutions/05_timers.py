@@ -33,19 +33,20 @@
 # | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
 # | `/robot/tilt` | `Float32` | 5 Hz | the body's tilt in rad |
 #
-# All message types are from `std_msgs.msg`. The starter code already publishes the heartbeat. You add the battery and
-# the tilt. You can choose their values, as long as they are floats. (With this course's ROS build, an `int` arrives as
-# 0.0; with the ROS packages for Ubuntu, it may crash the node.) Otherwise, the values aren't judged.
+# All message types are from `std_msgs.msg`. The starter code already publishes the heartbeat. Your task is to add the
+# battery and the tilt. You can choose their values, as long as they are floats. (With this course's ROS build, an `int`
+# arrives as 0.0; with the ROS packages for Ubuntu, it may crash the node.) Apart from their type, the values aren't
+# judged.
 #
 # ## What is judged
 #
-# Your program runs in its own process for one minute of simulated time, which takes a few real seconds. The judge
-# counts the messages on each topic. A count may be off by one, because a message can fall just inside or just outside
-# the minute. *Evenly spaced* means that consecutive messages arrive about one period apart, and never more than one and
-# a half periods apart. The mean interval may differ from the period by at most {{rates.MEAN_TOLERANCE %}}, and the
-# median interval by at most {{rates.INTERVAL_TOLERANCE %}}. If your program uses the real clock instead of simulated
-# time, the judge counts its messages for at least 8.5 s of real time. In that case, it judges only the longest interval
-# and the median interval.
+# Your program runs in its own process for one minute of simulated time, which takes only a few seconds of real time.
+# The judge counts the messages on each topic. A count may be off by one, because a message can fall just inside or just
+# outside the minute. *Evenly spaced* means that consecutive messages arrive about one period apart, and never more than
+# one and a half periods apart. The mean interval may differ from the period by at most {{rates.MEAN_TOLERANCE %}}, and
+# the median interval by at most {{rates.INTERVAL_TOLERANCE %}}. If your program uses the real clock instead of
+# simulated time, the judge counts its messages for at least 8.5 s of real time. In that case, it judges only the
+# longest interval and the median interval.
 #
 # | points | criterion |
 # |---:|---|

@@ -19,9 +19,9 @@
 # # Exercise 06 · Spin for a given time
 #
 # Your humanoid is on a test stand that's controlled by an ordinary Python program. The program moves an arm, lets the
-# robot work for 1.5 s, reads a gauge, and lets the robot work for another second. It can't use `rclpy.spin`, because
-# that call doesn't return. Instead, it needs a function that *spins a node for a given number of seconds and then
-# returns*. The function is called `pump`, because it keeps callbacks flowing, the way a pump keeps water flowing.
+# robot operate for 1.5 s, reads a gauge, and lets the robot operate for another second. It can't use `rclpy.spin`,
+# because that call doesn't return. Instead, it needs a function that *spins a node for a given number of seconds and
+# then returns*. The function is called `pump`, because it keeps callbacks flowing, the way a pump keeps water flowing.
 #
 # **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
 # [06](../notebooks/06_spinning.ipynb).
@@ -33,9 +33,9 @@
 #
 # | when | what happens |
 # |---|---|
-# | until the time is up | `pump` runs each of the node's timer and subscription callbacks when it's ready |
+# | until the time is up | whenever one of the node's timer or subscription callbacks is ready, `pump` runs it |
 # | while no callback is ready | `pump` waits without using the processor |
-# | when the time is up | `pump` returns, and never earlier; if a callback is running, `pump` lets it finish first, so the return may be late by that callback's duration |
+# | when the time is up | `pump` returns, but not before then. If a callback is still running, `pump` lets it finish first, so `pump` may be late by that callback's duration |
 # | after the call | nothing that `pump` started is still running, and the node is unchanged, so that you can call `pump` again |
 #
 # ## What is judged
@@ -56,14 +56,14 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | `pump` returns |
-# | 1 | `pump` returns when the time is up: `pump(node, {{ASKED_S.1}})` after {{ASKED_S.1}} s. No call returns more than {{EARLY_S}} s early, and the median delay of the first robot's calls is at most {{LATE_S}} s |
+# | 1 | `pump` returns when the time is up: `pump(node, {{ASKED_S.1}})` after {{ASKED_S.1}} s. No call returns more than {{EARLY_S}} s early, and for the calls with the first robot, the median delay is at most {{LATE_S}} s |
 # | 2 | all {{BURST_WORDS}} words that arrive in a burst are handled during the call |
 # | 1 | the timers keep their rate during the call: at least {{LEAST_SHARE %}} of the heartbeats are published, with no gap longer than {{LONGEST_SILENCE_S}} s |
 # | 1 | later calls work, too: the second call handles the words that were waiting in the queue, and even the short calls run callbacks |
-# | 1 | with a queue of slow jobs, `pump` returns late by at most the duration of one job ({{JOB_S}} s) plus {{LATE_S}} s |
+# | 1 | with a queue of slow jobs, `pump` returns no later than one job ({{JOB_S}} s) plus {{LATE_S}} s after the time is up |
 # | 1 | with the quiet robot, `pump` also returns on time (at most {{EARLY_S}} s early or {{LATE_S}} s late) and handles the robot's first two words |
 # | 1 | `pump` uses less than {{PROCESSOR_SHARE %}} of a CPU core with the quiet robot, and less than {{SHARE_WITH_TIMERS %}} with the first robot, which has timers |
-# | 1 | between calls, no callback and no thread that `pump` started is running; the node still has the same timers, periods, subscriptions, guard conditions, and parameters |
+# | 1 | between calls, no callback is running, and neither is any thread that `pump` started. The node still has the same timers, periods, subscriptions, guard conditions, and parameters |
 #
 # **Not judged:** interrupting a running callback, multithreading, callbacks that raise exceptions, and simulated time.
 # (`seconds` is measured in real time, and the robots' clocks show real time, too.)

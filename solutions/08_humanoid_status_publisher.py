@@ -9,7 +9,7 @@
 #   - finding a fault by looking at the messages that arrive, not by staring at the code
 #   - sending a number in a float field so that it arrives unchanged
 #   - converting a rate in hertz to a timer period
-#   - ending a node on Ctrl-C with exit code 0
+#   - ending a program with exit code 0 on Ctrl-C
 # out_of_scope:
 #   - adding topics (exercise 09 does that)
 #   - reading a real battery (BatteryState) and what the robot should do when it is empty
@@ -43,7 +43,7 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` messages |
-# | 2 | the published charge is correct: it starts at 100 %, or one drain step lower, then falls, and never drops below 0 |
+# | 2 | the published charge is correct: it starts at 100 % (or lower by what the battery loses between messages), then falls, and never drops below 0 |
 # | 2 | the charge is published at a steady 0.5 Hz (0.4 to 0.6 Hz, no gap over 3 s) |
 # | 1 | `/robot/status` works as before: `String` messages at 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), with the word that matches the charge |
 # | 1 | the program keeps running until Ctrl-C |
@@ -52,17 +52,17 @@
 # First, run the program below without changing it. The dashboard under *Watch it run* shows two of the problems, and
 # `%check` shows the third. You may fix the three bugs in place or rewrite the program.
 #
-# The program simulates an old battery that runs out within half a minute, so that the status changes while the judge
-# is watching. The status may change to `error` as soon as the last charge above 0 has been published. It must have
-# changed by the time the battery topic reports 0 for the second time.
+# The program simulates an old battery that runs out within half a minute, so that the status changes while the judge is
+# watching. The status may change to `error` at any time after the last message with a charge above 0. Every status
+# after the second message with a charge of 0 must be `error`.
 #
-# The charge may fall in unequal steps, and you may round it. So the judge allows the first charge to be below 100 % by
-# as much as {{batteries.ROUNDING}} % plus one and a half times the largest step. If your program uses the real clock
-# instead of simulated time, the judge may miss the first messages. In that case, the first charge that the judge
-# receives may be below 100 % by as much as {{batteries.ROUNDING}} % plus four times the largest step.
+# The charge may fall in unequal steps, and you may round it. So the judge allows a tolerance for the first charge:
+# {{batteries.ROUNDING}} % plus 1.5 times the largest drop between two messages. If your program uses the real clock
+# instead of simulated time, the judge may miss the first messages. In that case, the tolerance for the first charge
+# that it receives is {{batteries.ROUNDING}} % plus four times the largest drop.
 #
 # **Not judged:** additional topics, reading a real battery, signals other than the one that Ctrl-C sends, your log
-# messages, and how fast the battery drains. (Your battery may last longer than the judge watches. Then the judge just
+# messages, and how fast the battery drains. (If your battery lasts longer than {{plan.simulated_s}} s, the judge simply
 # never sees it run out.)
 # %% [answer]
 """Simulate a humanoid robot that publishes its status once a second and its battery charge every two seconds."""

@@ -110,7 +110,7 @@ def walks_its_rounds(recording: Recording) -> Verdict:
     return ROUNDS.first(night) or see.passed(f"{see.count(night.lines, 'line')} in the log")
 
 
-@criterion(points=1, title="/night_guard is on the graph exactly once", needs=[runs_until_told])
+@criterion(points=1, title="/night_guard appears in the graph exactly once", needs=[runs_until_told])
 def guard_on_the_graph(recording: Recording) -> Verdict:
     how = "Don't change the class NightGuard, don't remap anything, and don't give the node a namespace."
     verdict = see.on_the_graph(recording, NODE, how=how)

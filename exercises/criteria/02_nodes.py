@@ -174,13 +174,13 @@ NO_REPORT = WORDS.rules(
 OTHER_RATE = WORDS.cause("shared-faults.other-rate", ("camera", "saw", "expected"))
 
 
-@criterion(points=1, title="/robot/camera is on the graph exactly once", needs=[program_runs])
+@criterion(points=1, title="/robot/camera appears in the graph exactly once", needs=[program_runs])
 def front_node(recording: Recording) -> Verdict:
     how = "Write CameraDriver(namespace='/robot'). Rename only the other camera, with its cli_args."
     return see.on_the_graph(recording, FRONT, beside=[REAR], how=how)
 
 
-@criterion(points=2, title="/robot/rear_camera is on the graph exactly once", needs=[program_runs])
+@criterion(points=2, title="/robot/rear_camera appears in the graph exactly once", needs=[program_runs])
 def rear_node(recording: Recording) -> Verdict:
     how = "Write CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
     return see.on_the_graph(
@@ -218,9 +218,9 @@ def shared_faults(recording: Recording) -> Verdict:
     return see.passed("each camera reports its faults once a second")
 
 
-@criterion(points=2, title="There are no other nodes on the graph", needs=[program_runs])
+@criterion(points=2, title="There are no other nodes in the graph", needs=[program_runs])
 def nobody_else(recording: Recording) -> Verdict:
-    return OTHERS.first(Graph(recording)) or see.passed("no other node on the graph")
+    return OTHERS.first(Graph(recording)) or see.passed("no other node in the graph")
 
 
 @criterion(points=1, title="The program is still running at the end", needs=[program_runs])

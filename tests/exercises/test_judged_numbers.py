@@ -86,7 +86,7 @@ def test_05_tells_what_evenly_means() -> None:
 def test_08_tells_how_many_steps_below_full_the_first_charge_may_be() -> None:
     assert (batteries.DROPS_BEFORE_THE_FIRST, batteries.DROPS_MISSED_ON_THE_WALL_CLOCK) == (1.5, 4.0)
     told = task("08")
-    assert "% plus one and a half times the largest step" in told and "% plus four times the largest" in told
+    assert "% plus 1.5 times the largest drop" in told and "% plus four times the largest drop" in told
 
 
 @pytest.mark.parametrize("number", ["08", "09"])

@@ -115,7 +115,7 @@ def _levels(recording: Recording, battery: Topic) -> list[float]:
 
 @if_messages
 def begins_full(recording: Recording, battery: Topic) -> Verdict:
-    """Check that the first charge is 100 %, or at most one drain step below 100 %."""
+    """Check that the first charge is 100 %, or lower by what the battery loses between two messages."""
     levels = _levels(recording, battery)
     if not levels:
         return passed("no numbers in it")
