@@ -6,8 +6,8 @@
 # kind: static
 # clock: simulated
 # objectives:
-#   - annotating a node so that mypy --strict reports nothing
-#   - giving a publisher a type, so that mypy finds a message of the wrong type before the robot runs
+#   - annotating a node so that mypy --strict reports no errors
+#   - giving a publisher a type so that mypy catches messages of the wrong type before the robot runs
 #   - listing the allowed words with Literal
 #   - checking values at run time, when type hints have no effect
 # out_of_scope:
@@ -19,10 +19,10 @@
 # %% [markdown]
 # # Exercise 07 · A report that can't be misused
 #
-# The node below reports your humanoid's battery and status, and it works. Starting next week, two other teams will call
-# its methods: the charging team calls `send_battery`, and the planning team calls `send_status`. They don't know you or
-# your code. In last night's trial, one of the teams sent `"full"`, and the dashboard showed 0 %. Change the node so
-# that misuse can't go unnoticed. If the other teams check their code with mypy, mypy must report the misuse. If they
+# The node below reports your humanoid's battery charge and status, and it works. Starting next week, two other teams
+# will call its methods: the charging team calls `send_battery`, and the planning team calls `send_status`. They don't
+# know you or your code. In a trial run, one of the teams sent `"full"`, and the dashboard showed 0 %. Change the node
+# so that misuse can't go unnoticed. If the other teams check their code with mypy, mypy must report the misuse. If they
 # don't, the node itself must raise an exception.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
@@ -40,23 +40,23 @@
 # | `send_status(word)` | exactly `"operational"` or `"error"` | publishes the word; for anything else, raises an exception and publishes nothing |
 #
 # The node must still publish its own reports: the battery at 1 Hz and the status at 0.5 Hz. Each rate may be off by up
-# to {{rates.RATE_TOLERANCE %}}, and no gap between two reports may be longer than one and a half periods. Calls from
-# other teams must not change the charge or the status that the node itself reports.
+# to {{rates.RATE_TOLERANCE %}}, and no gap between consecutive reports may be longer than one and a half periods. Calls
+# from other teams must not change the charge or the status that the node itself reports.
 #
 # ## What is judged
 #
 # First, mypy checks your program in strict mode, with this course's stubs. Then it checks code that uses your node
-# correctly, and code that misuses it. After that, the judge runs your node and calls its methods, both correctly and
-# incorrectly.
+# correctly, and code that misuses it. After that, the judge runs your node and calls its methods, with both valid and
+# invalid arguments.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | the node publishes its own reports as before |
 # | 2 | `mypy --strict` reports no errors in your program |
 # | 2 | mypy objects if a publisher is passed a message of the wrong type |
-# | 1 | mypy objects to a value of the wrong type, to any word except the two allowed ones, and to a call without a value |
-# | 1 | each call with a number publishes that number exactly once, even if it's a whole number, `0.0`, or the same number as before |
-# | 2 | at run time, a value or a message of the wrong type raises an exception and isn't published |
+# | 1 | mypy objects if `send_battery` or `send_status` is called without a value or with one of the wrong type. It also objects if `send_status` is passed any word except the two allowed ones |
+# | 1 | each call to `send_battery` or `battery_publisher.publish` with a number publishes it exactly once. That includes whole numbers, `0.0`, and numbers that an earlier call published |
+# | 2 | at run time, passing a value or a message of the wrong type raises an exception and publishes nothing |
 # | 1 | at run time, `send_status` and `status_publisher` publish both allowed words; for any other word, `send_status` raises an exception and publishes nothing |
 #
 # The judge ignores `# type: ignore` comments, and you may not use `Any`, because both would just hide errors from mypy.
@@ -66,8 +66,9 @@
 # - subscriptions, services, parameters, and how the program ends on Ctrl-C
 # - `True`, `nan`, and NumPy numbers (exercise 03 covered those), and charges below 0 or above 100. You decide what
 #   happens to them.
-# - your `main()`. The judge creates a `RobotReport` itself. It watches the node for only {{plan.simulated_s}} s, so it
-#   doesn't matter if the battery runs out later.
+# - your `main()`, because the judge creates a `RobotReport` itself
+# - what the node reports after {{plan.simulated_s}} s, such as an empty battery, because the judge doesn't watch it any
+#   longer
 # %% [answer]
 """Report a humanoid's battery and status. Other code publishes through this node, too, so it checks types."""
 
