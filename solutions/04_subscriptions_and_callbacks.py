@@ -131,7 +131,7 @@ if __name__ == "__main__":
 # READINGS = [64.0, 63.5, -3.0, 63.0, 62.5]  # the sensor's readings; try your own
 #
 # init()
-# desk = fresh(BatteryDesk, READINGS)  # while it's on the graph, the robot's own sensor pauses
+# desk = fresh(BatteryDesk, READINGS)  # while it's in the graph, the robot's own sensor pauses
 # %start
 # await run(desk, seconds=8, until=lambda: desk.done)
 # desk.destroy_node()  # from now on, the robot's sensor publishes again

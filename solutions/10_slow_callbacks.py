@@ -186,7 +186,7 @@ if __name__ == "__main__":
 # from workbook.ros import topic_hz
 #
 # init()
-# guest = fresh(Node, "guest")  # while it's on the graph, the exercise's own guest pauses
+# guest = fresh(Node, "guest")  # while it's in the graph, the exercise's own guest pauses
 # asking = guest.create_publisher(Float32, "/robot/plan_request", 10)
 # %start
 # await run(guest, seconds=5, until=lambda: asking.get_subscription_count() > 0)

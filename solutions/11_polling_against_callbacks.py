@@ -157,7 +157,7 @@ if __name__ == "__main__":
 #
 # init()
 # seen = []
-# hand = fresh(Node, "hand")  # while it's on the graph, the robot's own skin pauses
+# hand = fresh(Node, "hand")  # while it's in the graph, the robot's own skin pauses
 # hand.create_subscription(Int32, "/monitor/seen", lambda report: seen.append(report.data), 100)
 # touching = hand.create_publisher(Int32, "/robot/touch", 100)
 # %start

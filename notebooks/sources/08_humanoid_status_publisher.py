@@ -21,7 +21,7 @@
 from lesson_nodes import humanoid_status_publisher
 from workbook.lesson import about, start, stop, watch_status
 
-print("on the graph:", start(humanoid_status_publisher))
+print("in the graph:", start(humanoid_status_publisher))
 
 # %% [markdown]
 # The dashboard subscribes to two topics: `/robot/status` controls the lamp, and `/robot/battery` controls the gauge.
@@ -484,7 +484,7 @@ network
 #   ✗ A single thread runs both timers' callbacks, and the exception has ended that thread.
 # - **c** Both timers stop, but the program keeps running and looks fine from the outside.
 #   when `exit_code == 0 and in_the_last_second == 0`
-#   ✓ The thread that spins has ended, so no callback runs anymore. But the node is still on the graph.
+#   ✓ The thread that spins has ended, so no callback runs anymore. But the node is still in the graph.
 
 # %%
 predict("the-exception")
@@ -535,7 +535,7 @@ before = humanoid.sent
 time.sleep(1.0)
 print("main: status messages in the last second:", humanoid.sent - before)
 print("main: the last status:", humanoid.last_word)
-print("main: on the graph:", *humanoid.get_node_names())
+print("main: in the graph:", *humanoid.get_node_names())
 rclpy.try_shutdown()
 """
 outcome = run_program(PROGRAM, seconds=20)

@@ -371,7 +371,7 @@ def test_parts_of_points_are_shown() -> None:
 
 def test_a_condition_without_points_is_shown_only_when_it_fails() -> None:
     assert "Your program runs" not in as_text(judged("wrong_name"))
-    assert "✗        Your program runs and its node is on the graph" in as_text(judged("raises_at_once"))
+    assert "✗        Your program runs and its node is in the graph" in as_text(judged("raises_at_once"))
 
 
 # --- the review -----------------------------------------------------------------------------------------

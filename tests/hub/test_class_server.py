@@ -97,7 +97,7 @@ def test_each_student_runs_lesson_09_and_checks_answers(
         assert [ran.error for ran in lesson if ran.error] == []
         assert "started /joint_position_publisher" in lesson[0].text
         assert "10 of 10" not in wrong.shown and " of 10 points" in wrong.shown, wrong
-        assert "is on the graph" in started.text, started
+        assert "is in the graph" in started.text, started
         assert "Full marks: 10 of 10 points" in right.shown, right
 
 

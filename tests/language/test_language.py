@@ -54,7 +54,7 @@ def test_each_exception_is_needed_and_has_a_reason(one: dict[str, str]) -> None:
         ("Mend the first fault.", "mend"),
         ("Whoever listens is misled.", "whoever"),
         ("An int arrives as 0.0 with stock ROS.", "stock ROS"),
-        ("There are twins on the graph.", "twins"),
+        ("There are twins in the graph.", "twins"),
         ("The colour is grey.", "British -our"),
         ("It waits for ever.", "for ever"),
         ("The node is made anew.", "anew"),

@@ -39,7 +39,7 @@ rclpy.spin(Gripper())
 FAILS_LATER = (
     HEAD
     + """
-        time.sleep(0.7)  # a slow first line, long after the node is on the graph
+        time.sleep(0.7)  # a slow first line, long after the node is in the graph
         raise ValueError("the gripper is jammed")
 
 rclpy.init()

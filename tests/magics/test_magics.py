@@ -132,7 +132,7 @@ def test_a_program_runs_beside_the_notebook(kernel: Kernel) -> None:
     answer(kernel, SOURCE.solution_code)
     before = alone(kernel)
     started = kernel.good("%start")
-    assert "node /humanoid_status_publisher is on the graph" in started.text
+    assert "node /humanoid_status_publisher is in the graph" in started.text
     assert started.displays == ["Picture: a humanoid robot with twelve joints"]
     assert started.payloads == [{"source": STARTED_PAYLOAD}]
     [program] = alone(kernel) - before

@@ -224,7 +224,7 @@ def test_it_falls_asleep_when_all_nodes_are_gone() -> None:
     robot = PanelRobot()
     take(robot, "/robot/tilt", Float32(data=0.5), 0.0)
     robot.look(False, {}, GRACE_S / 2)
-    assert robot.news(GRACE_S / 2)["awake"], "its publisher may not be on the graph yet"
+    assert robot.news(GRACE_S / 2)["awake"], "its publisher may not be in the graph yet"
     robot.look(True, {"/robot/tilt": "std_msgs/msg/Float32"}, 5.0)
     assert robot.news(5.0) == {}
     robot.look(True, {}, 6.0)

@@ -236,12 +236,12 @@ class ExerciseMagics(Magics):
             wait_until_it_serves(process, nodes[0])
         if process.is_running():
             if nodes:
-                print(f"Running: {nodes_are(nodes)} on the graph. %stop ends the program.")
+                print(f"Running: {nodes_are(nodes)} in the graph. %stop ends the program.")
                 if around:
                     print(f"The rest of the robot runs with it: {nodes_are(around).removesuffix(' is')}.")
                 print(*map(_CLOCK_MISSING.format, waiting_for_clock(nodes)), sep="", end="")
             else:
-                print("Running, but none of its nodes has appeared on the graph yet. %stop ends it.")
+                print("Running, but none of its nodes has appeared in the graph yet. %stop ends it.")
             self._running.show_robot(exercise.stem)
             screen.offer_panel(self.shell)
             return

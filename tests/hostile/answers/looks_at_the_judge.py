@@ -1,6 +1,6 @@
 # soak: yes
 # score: 10
-"""Looks for the judge on the graph, and for other robots: one nameless node, with nothing that can be set or called."""
+"""Looks for the judge in the graph, and for other robots: one nameless node, with nothing that can be set or called."""
 import threading
 
 

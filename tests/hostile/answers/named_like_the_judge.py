@@ -1,5 +1,5 @@
 # loses: joint_topic
-"""Publishes a topic with another type as well, by a node that is called like the one that it finds on the graph."""
+"""Publishes a topic with another type as well, by a node that is called like the one that it finds in the graph."""
 import time
 
 import rclpy

@@ -99,7 +99,7 @@ def on_the_graph(
     found = {node.name: node for node in recording.nodes}
     node = _Wanted(name, found, beside, how or _how(name))
     if name in found:
-        return passed(f"{name} is on the graph") if node.most == 1 else _TWICE.verdict(node)
+        return passed(f"{name} is in the graph") if node.most == 1 else _TWICE.verdict(node)
     early = failed_by_error(recording, *_BY_ERROR(node)) or _NOT_MADE.first(node)
     alike = (_LIKE_ANOTHER.first(replace(node, other=other)) for other in node.others)
     return early or next((verdict for verdict in alike if verdict), None) or _UNLIKE.verdict(node)

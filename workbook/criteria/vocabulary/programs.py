@@ -88,7 +88,7 @@ _ENDED_BY_SIGNAL = WORDS.seen("alive-at-end.by-signal", _Program)
 _ENDED_BY_ITSELF = WORDS.cause("alive-at-end.ended", _Program)
 
 
-@criterion(points=0, title="Your program runs and its node is on the graph")
+@criterion(points=0, title="Your program runs and its node is in the graph")
 def program_runs(recording: Recording) -> Verdict:
     """Check that the program starts, and that its node or one of its publishers appears in the graph.
 
@@ -101,7 +101,7 @@ def program_runs(recording: Recording) -> Verdict:
     one = _Program(recording)
     if _got_going(recording):
         nodes = sorted(set(one.nodes))
-        return passed(f"{nodes_are(nodes) if nodes else 'publishers are'} on the graph")
+        return passed(f"{nodes_are(nodes) if nodes else 'publishers are'} in the graph")
     if one.strangers and not one.at_home:
         return _OTHER_DOMAIN.verdict(one)
     _, expected = _NOT_SEEN(one)

@@ -14,7 +14,7 @@ IMAGES_EVERY_S = 0.15
 WALKS_ON_AFTER_S = 1.0
 """The delay before a repeated command is sent again. In rig.js, the robot stops 1.5 s after the last command."""
 GRACE_S = 1.0
-"""How long (s) an effect lasts without a publisher: a message may arrive before its publisher is on the graph."""
+"""How long (s) an effect lasts without a publisher: a message may arrive before its publisher is in the graph."""
 PLUMBING = ("/driver/", "/clock")
 """Prefixes of the topics that connect an exercise's driver and its judge. They don't concern the robot."""
 _MOST_WORDS = 3
