@@ -17,6 +17,7 @@ UNIX_SOCKETS = "/proc/net/unix"
 SOCKET_TOTALS = "/proc/net/sockstat"
 OWN_GROUPS = "/proc/self/cgroup"
 OWN_MOUNTS = "/proc/self/mountinfo"
+OWN_OOM_SCORE = "/proc/self/oom_score_adj"
 QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
 
 

@@ -35,6 +35,7 @@ def configure(config: Any) -> None:
     )  # the warning about local TCP at each start doesn't help learners
     config.InteractiveShellApp.exec_lines.append(_START)
     try:
+        from workbook.inside.proc import OWN_OOM_SCORE
         from workbook.ros.environment import prepare, uses_wheels
 
         if uses_wheels():
@@ -42,7 +43,7 @@ def configure(config: Any) -> None:
         prepare()
         if "JUPYTERHUB_SERVICE_URL" in os.environ:
             # If the class server runs out of memory, Linux then ends a kernel before a server (which has 300).
-            Path("/proc/self/oom_score_adj").write_text("600")
+            Path(OWN_OOM_SCORE).write_text("600")
     except Exception as error:
         _problems.append(
             f"ROS is not set up in this kernel: {error} (`workbook doctor` in a terminal says more)"
