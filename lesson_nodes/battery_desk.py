@@ -14,6 +14,7 @@ from std_msgs.msg import Float32, String
 READINGS = (64.0, 63.5, -3.0, 63.0, math.nan, 62.5, 6553.5, 62.0)
 PERIOD_S = 0.25
 PATIENCE_TICKS = 12
+HEAD_START_TICKS = 2
 OWN, OTHER = "/robot/battery", "/other_robot/battery"
 
 
@@ -36,6 +37,7 @@ class BatteryDesk(Node):
         self.rows: list[tuple[str, float, list[str]]] = []
         self.done = False
         self.ticks = 0
+        self.ticks_with_monitor = 0
         self.to_say = [(OWN, float(reading)) for reading in readings] + [(OTHER, 41.5), (OTHER, -40.0)]
         self.publishers_of = {topic: self.create_publisher(Float32, topic, 10) for topic in (OWN, OTHER)}
         self.create_subscription(Float32, "/monitor/battery", self.on_battery, 100)
@@ -43,10 +45,16 @@ class BatteryDesk(Node):
         self.create_timer(PERIOD_S, self.say_next)
 
     def say_next(self) -> None:
-        """Publish the next reading. Before the first one, wait for a subscription, but give up after 3 s."""
+        """Publish the next reading. Before the first one, wait for a subscription, but give up after 3 s.
+
+        Then wait a little longer, because the monitor needs time to discover the desk's subscriptions.
+        """
         self.ticks += 1
         if not self.rows and self.publishers_of[OWN].get_subscription_count() == 0:
             self.done = self.ticks >= PATIENCE_TICKS
+            return
+        self.ticks_with_monitor += 1
+        if self.ticks_with_monitor <= HEAD_START_TICKS:
             return
         if not self.to_say:
             self.done = True

@@ -575,10 +575,10 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
-# object detector on /camera/image (30 Hz, rgb8) and publishes the detections. Inference
-# takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Make sure that every rclpy
-# function you use exists in Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an
+# ONNX object detector on /camera/image (30 Hz, rgb8) and publishes the detections.
+# Inference takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Make sure that
+# every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer covers</summary>
