@@ -5,18 +5,20 @@ import json
 import os
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
-from tests.grading.test_scheduler import FakeJudge
+from tests.grading.test_scheduler import LONG_S, FakeJudge, FakeSlot, judgement
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement
+from workbook.grading.judges import Job
 from workbook.grading.slots import pool, scheduler
 from workbook.grading.slots.protocol import JudgingOrder, Progress, line_of
 from workbook.grading.slots.service import (
@@ -155,6 +157,49 @@ def test_an_answer_that_is_only_watched_gives_its_place_to_the_next(
     with ThreadPoolExecutor(2) as both:
         assert [*both.map(ask, programs)] == ["graded", "graded"]
     assert judge.most_under_way == 2
+
+
+def test_a_stopped_check_leaves_the_queue(service: CheckService, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The service has one slot, which is busy until the second of three checks has been stopped."""
+    begun, stopped, go_on = threading.Event(), threading.Event(), threading.Event()
+    judged: list[str] = []
+
+    def judge(
+        _pool: object, slot: FakeSlot | None, _kind: object, job: Job[Any], **_: object
+    ) -> tuple[FakeSlot, Judgement]:
+        judged.append(job.answer.text)
+        begun.set()
+        assert go_on.wait(LONG_S)
+        return slot or FakeSlot(), judgement(job)
+
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+
+    def ask(program: str, stop: Callable[[], bool] = lambda: False) -> Judgement:
+        note = lambda _: stopped.set()  # noqa: E731 - the place in the queue
+        return judge_there(str(service.path), STEM, Answer(program), lambda _: None, note, stop)
+
+    with ThreadPoolExecutor(1) as other:
+        first = other.submit(ask, "a = 1\n")
+        assert begun.wait(LONG_S)
+        assert ask("b = 2\n", stopped.is_set).reason == "the check was stopped"
+        go_on.set()
+        assert first.result().status == "graded"
+    assert ask("c = 3\n").status == "graded"
+    assert judged == ["a = 1\n", "c = 3\n"]
+
+
+def test_a_check_that_is_stopped_after_its_card_returns_the_judgment(
+    service: CheckService, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judge = FakeJudge(most=2)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    stopped = threading.Event()
+    found = judge_there(
+        str(service.path), STEM, Answer("a = 1\n"), lambda _: stopped.set(), stop=stopped.is_set
+    )
+    assert found.status == "graded"
+    assert judge.under_way == 1, "the program is still being watched"
+    assert judge_there(str(service.path), STEM, Answer("b = 2\n"), lambda _: None).status == "graded"
 
 
 def test_without_a_service_the_card_says_so(tmp_path: Path) -> None:

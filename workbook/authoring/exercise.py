@@ -90,10 +90,10 @@ def _practice(source: ExerciseSource) -> str:
 def _your_program(source: ExerciseSource) -> str:
     return (
         "## Your program\n\n"
-        "Edit the cell below, and run it with Shift+Enter. This doesn't start your program yet. Instead, it saves the "
-        f"program as `answers/{source.stem}.py` and keeps a backup of the previous version in the same folder. Don't "
-        "remove the cell's first line. If you add ` --check` to the end of that line, running the cell also checks "
-        "your program."
+        "Edit the cell below, and run it with Shift+Enter. Running the cell doesn't start your program yet. Instead, "
+        f"it saves the program as `answers/{source.stem}.py` and keeps a backup of the previous version in the same "
+        "folder. Don't remove the cell's first line. If you add ` --check` to the end of that line, running the cell "
+        "also checks your program."
     )
 
 
@@ -106,8 +106,8 @@ def _watch(source: ExerciseSource) -> str:
         publishers = "all these nodes"
     return (
         "## Watch it run\n\n`%start` runs your program in its own process, in this notebook's ROS domain. "
-        f"{others}Below the cell, you'll see a robot that reacts to the messages from {publishers}. The robot panel "
-        "shows the same robot. `%stop` ends the program."
+        f"{others}Below the cell and in the robot panel, you'll see a robot that reacts to the messages from "
+        f"{publishers}. `%stop` ends the program."
     )
 
 
@@ -118,7 +118,7 @@ _CHECK = (
 _HINTS = "## Stuck?\n\nThere are three hints. Each time you run the cell below, it shows the next one."
 _SOLUTION = (
     "## The solution\n\nYou can see the solution once your program has passed, or after several tries. "
-    "The cell also shows other good ways to solve the exercise."
+    "Below the solution, you'll find other good ways to solve the exercise."
 )
 
 

@@ -25,6 +25,15 @@ from workbook.lesson.progress import all_progress
 from workbook.magics.screen import Version
 
 
+def warm_up() -> None:
+    """Start the slot for the next answer in the background, unless the class's service judges it.
+
+    Call this in the main thread, because a slot is terminated when the thread that started it finishes.
+    """
+    if not os.environ.get(ADDRESS):
+        warm_slots.warm_up(Kind())
+
+
 def judge(
     stem: str,
     answer: Answer,
@@ -41,7 +50,7 @@ def judge(
 
     def once() -> Judgement:
         if service:
-            return judge_there(service, stem, answer, report, progress)
+            return judge_there(service, stem, answer, report, progress, stop)
         slot = warm_slots.take(Kind())
         try:
             judgement = slot.judge(stem, answer, soak=True, report=report, progress=progress)

@@ -25,7 +25,7 @@ from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
 from workbook.exercise.source import STEM, SourceError, UnknownExercise, partner_of
 from workbook.feedback import wording
 from workbook.feedback.review import review_prompt
-from workbook.grading.slots.pool import Kind, warm_slots
+from workbook.grading.slots.pool import warm_slots
 from workbook.lesson.best_answers import Check, NothingJudged, best_text, hands_in_another, restore_best
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, changed_progress, load_progress
 from workbook.lesson.robot_in_cell import draws_robots
@@ -122,7 +122,7 @@ class ExerciseMagics(Magics):
                 f"    {mistake.text}\n    {caret}"
             )
         elif CHECK_OPTION not in words:
-            warm_slots.warm_up(Kind())
+            checking.warm_up()
         if CHECK_OPTION in words:
             self._judge(exercise, None)
 
@@ -303,9 +303,7 @@ class ExerciseMagics(Magics):
         hints_left = len(exercise.source.hints) - kept.before.hints
         shown = Path(shown_path(file))
         asked = checking.Asked(exercise, answer, shown, hints_left, version, kept, draws_robots())
-        warm_slots.warm_up(
-            Kind()
-        )  # not in the thread below, because a slot is terminated when the thread that started it finishes
+        checking.warm_up()
         card = LiveCard(asked)
         self._last = (answer, card)
         self._watcher = threading.Thread(target=card.judge, name="check", daemon=True)

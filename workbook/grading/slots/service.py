@@ -13,6 +13,7 @@ process's user ID, which it gets from the operating system's kernel.
 import argparse
 import contextlib
 import os
+import select
 import socket
 import struct
 import threading
@@ -54,6 +55,8 @@ LONGEST_ORDER = 1_000_000
 """The maximum size of an order, in bytes. An answer is a program that a person wrote, so it's short."""
 LONGEST_SILENCE_S = 10.0
 """The longest time (s) that a client may take to send its order. Clients prepare the order before they connect."""
+LOOK_S = 0.2
+"""How often (s) a client checks whether its student has stopped the check."""
 MOST_CONNECTIONS = 16
 MOST_WAITING = 4
 """The maximum number of answers that one student may have in the queue."""
@@ -130,6 +133,10 @@ class _Request:
                     self.connection.sendall(line_of(message))
                 except OSError:
                     self._is_gone = True
+
+    def is_wanted(self) -> bool:
+        """Return whether the client still waits for the result. A client sends nothing after its order."""
+        return not select.select([self.connection], [], [], 0.0)[0]
 
     def show_place(self, place: int) -> None:
         """Send the answer's place in the queue to the client if the place has changed."""
@@ -226,7 +233,8 @@ class CheckService:
     def _work(self) -> None:
         while True:
             permit = self._permits.take()
-            request = self._queue.take()
+            while not (request := self._queue.take()).is_wanted():
+                self._end(request.connection, request.owner)
             self._show_places()
             request.send(self._last_line(permit, request))
             self._end(request.connection, request.owner)
@@ -265,29 +273,42 @@ def read_order(connection: socket.socket) -> JudgingOrder:
 
 
 def judge_there(
-    path: str, stem: str, answer: Answer, report: Report, progress: ShowProgress | None = None
+    path: str,
+    stem: str,
+    answer: Answer,
+    report: Report,
+    progress: ShowProgress | None = None,
+    stop: Callable[[], bool] = lambda: False,
 ) -> Judgement:
-    """Have the service at `path` judge an answer. Pass the progress, such as the place in the queue, to `progress`."""
+    """Have the service at `path` judge an answer. Pass the progress, such as the place in the queue, to `progress`.
+
+    Once `stop()` returns True, leave the queue or skip the rest of the watch, and return the latest judgment.
+    """
+    latest: Judgement | None = None
+    reason = "the check service of this class does not answer. Run %check again in a minute"
     try:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
             connection.connect(path)
             connection.sendall(line_of(JudgingOrder(stem, answer.text, soak=True, progress=True)))
             lines = LineReader(connection.fileno())
             while True:
-                message = lines.next(1.0)
+                message = lines.next(LOOK_S)
+                if stop():
+                    reason = "the check was stopped"
+                    break
                 if message is None:
                     continue
                 if "progress" in message:
                     if progress is not None:
                         progress(Progress(**message["progress"]))
                     continue
-                judgement = judgement_in(message, stem, answer.sha256)
+                latest = judgement_in(message, stem, answer.sha256)
                 if message["final"]:
-                    return judgement
-                report(judgement)
+                    return latest
+                report(latest)
     except (OSError, EOFError, ValueError):
-        reason = "the check service of this class does not answer. Run %check again in a minute"
-        return Judgement(stem, answer.sha256, "infra_error", reason, (), None)
+        latest = None
+    return latest or Judgement(stem, answer.sha256, "infra_error", reason, (), None)
 
 
 def main() -> None:
