@@ -19,9 +19,9 @@
 # # Exercise 01 · A guard that shuts down cleanly
 #
 # The museum's night guard is a robot, and its program is complete except for `main()`. Every morning at six, the day
-# shift stops the program with Ctrl-C. Last week, that froze the robot mid-step, with both arms in the air and a crash
-# report on its screen. And on Tuesday, the graph still listed a guard whose program had long since ended. Write a
-# `main()` that shuts the guard down properly at the end of the night.
+# shift stops the program with Ctrl-C. One morning last week, Ctrl-C froze the robot mid-step, with both arms in the air
+# and a crash report on its screen. And on Tuesday, the graph still listed a guard whose program had long since ended.
+# Write a `main()` that shuts the guard down properly at the end of the night.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [01](../notebooks/01_the_context.ipynb).
@@ -33,7 +33,7 @@
 # | at the start | exactly one node is in the graph: `/night_guard` |
 # | all night | the guard makes its rounds and logs each one, until the program is stopped |
 # | on Ctrl-C | the program calls `park()`, which prints `arms parked` |
-# | after that | the program ends by itself, with exit code 0 and no traceback, and its node leaves the graph |
+# | after that | the program exits on its own, with exit code 0 and no traceback, and its node disappears from the graph |
 #
 # The class `NightGuard` is given. `park()` doesn't use ROS, so you may call it after the context is shut down. Don't
 # call it before Ctrl-C, because a guard with folded arms can't guard anything.
@@ -41,8 +41,8 @@
 # ## What is judged
 #
 # Your program runs in its own process for about {{WATCH_S}} s. During this time, it must log at least {{LEAST_ROUNDS}}
-# lines, including one in the final {{LONGEST_SILENCE_S}} s. Then the judge sends it SIGINT, the signal that Ctrl-C
-# sends.
+# lines, including one in the final {{LONGEST_SILENCE_S}} s. Then the judge sends it SIGINT, the same signal as
+# Ctrl-C.
 #
 # | points | criterion |
 # |---:|---|
@@ -51,7 +51,7 @@
 # | 1 | `/night_guard` appears in the graph exactly once |
 # | 2 | the arms are parked after Ctrl-C, and not before |
 # | 3 | Ctrl-C ends the program with exit code 0 and no traceback |
-# | 2 | after Ctrl-C, the program's node leaves the graph |
+# | 2 | after Ctrl-C, the program's node disappears from the graph |
 #
 # **Not judged:** SIGTERM, topics, the wording of the messages that the guard logs on its rounds, and how many times it
 # parks its arms.

@@ -35,7 +35,7 @@
 # |---|---|
 # | class | `BatteryPublisher`, a subclass of `Node`; other code creates it with `BatteryPublisher()` |
 # | topic | `/robot/battery`, type `Float32` from `std_msgs.msg` |
-# | method | `publish_level(level)`, which publishes one message with the charge in percent before it returns |
+# | method | `publish_level(level)`, which publishes the charge, in percent, as one message and only then returns |
 #
 # `level` is the value that the battery driver returned:
 #
@@ -47,20 +47,20 @@
 # | a value that only looks like a number | `True`, or the string `'50'` | raises an error and publishes nothing |
 # | a float that can't be a measurement | `nan`, `inf`, or `-inf`, from Python or NumPy | raises an error and publishes nothing |
 #
-# Each call is independent of earlier calls. Publish a number even if you published the same number before. After an
-# error, publish the next number as usual. Calls may come only a few milliseconds apart.
+# Each call is independent of earlier calls. Publish a number even if you've published it before. After an error,
+# publish the next number as usual. Calls may come only a few milliseconds apart.
 #
 # You choose which error to raise. The usual choices are `TypeError` for a wrong type and `ValueError` for a wrong
 # value.
 #
 # ## What is judged
 #
-# A test program imports your file and creates one `BatteryPublisher`. (The feedback calls the test program *the
-# driver*, but it isn't the battery driver.) The test program calls `publish_level` with {{COUNT}} values, one after
+# A test program imports your file and creates one `BatteryPublisher`. (In the feedback, *the driver* means this
+# test program, not the battery driver.) The test program calls `publish_level` with {{COUNT}} values, one after
 # another. The values are similar to those above, and some occur more than once. For each call, the test program records
 # whether the call returned or raised an error. It also records whether anything was published before the first call.
-# The judge compares these records with the messages on the topic. During the test, rclpy won't catch a wrong field type
-# for you, because its type checks are off by default.
+# The judge compares these records with the messages on the topic. rclpy's type checks are off by default, and the test
+# leaves them off, so rclpy won't catch a wrong field type for you.
 #
 # | points | criterion |
 # |---:|---|
@@ -74,8 +74,8 @@
 # | 1 | no `0.0` is published by mistake |
 #
 # **Not judged:** timers, charges below 0 or above 100, bytes, other kinds of numbers (`Decimal`, `Fraction`,
-# `complex`), and NumPy's bools, strings, and arrays. How the program starts and ends isn't judged, either. There's no
-# `main()`, because other code creates and spins your node.
+# `complex`), and NumPy's bools, strings, and arrays. The program's startup and shutdown aren't judged, either.
+# There's no `main()`, because other code creates and spins your node.
 # %% [answer]
 """Publish a battery's charge, and refuse every value that isn't a number."""
 

@@ -8,7 +8,7 @@
 # objectives:
 #   - using a timer for repeated work, instead of a loop that sleeps
 #   - converting a frequency in hertz to a period in seconds
-#   - running three timers in one node, so that none delays the others
+#   - running three timers in one node without letting any of them delay the others
 # out_of_scope:
 #   - real sensors; all values are simulated and only their rates are judged
 #   - slow callbacks (lesson 10)
@@ -17,10 +17,10 @@
 # %% [markdown]
 # # Exercise 05 · Three rates in one robot
 #
-# Your humanoid leaves the workshop for its first walk. A remote operator needs three pieces of information. Is the
-# robot alive? One heartbeat a second is enough. How much charge is left? The battery level changes slowly, so a message
-# every two seconds is enough. Is the robot about to fall? A fall takes only a second, so the operator needs the body's
-# tilt five times a second. Your node publishes all three, each at its own rate.
+# Your humanoid leaves the workshop for its first walk. A remote operator needs the answers to three questions. Is
+# the robot alive? To answer that, one heartbeat a second is enough. How much charge is left? The battery level changes
+# slowly, so a message every two seconds is enough. Is the robot about to fall? A fall takes only a second, so the
+# operator needs the body's tilt five times a second. Your node publishes all three, each at its own rate.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [05](../notebooks/05_timers.ipynb).
@@ -41,12 +41,12 @@
 # ## What is judged
 #
 # Your program runs in its own process for one minute of simulated time, which takes only a few seconds of real time.
-# The judge counts the messages on each topic. A count may be off by one, because a message can fall just inside or just
-# outside the minute. *Evenly spaced* means that consecutive messages arrive about one period apart, and never more than
-# one and a half periods apart. The mean interval may differ from the period by at most {{rates.MEAN_TOLERANCE %}}, and
-# the median interval by at most {{rates.INTERVAL_TOLERANCE %}}. If your program uses the real clock instead of
-# simulated time, the judge counts its messages for at least 8.5 s of real time. In that case, it judges only the
-# longest interval and the median interval.
+# The judge counts the messages on each topic. Each count is allowed to be off by one, because the first or last message
+# can fall just inside or just outside the minute. *Evenly spaced* means that consecutive messages arrive about one
+# period apart, and never more than one and a half periods apart. The mean interval may differ from the period by at
+# most {{rates.MEAN_TOLERANCE %}}, and the median interval by at most {{rates.INTERVAL_TOLERANCE %}}. If your program
+# uses the real clock instead of simulated time, the judge records its messages for at least 8.5 s of real time. In that
+# case, only the longest interval and the median interval are judged.
 #
 # | points | criterion |
 # |---:|---|

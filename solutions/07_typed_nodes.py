@@ -30,7 +30,7 @@
 #
 # ## What to build
 #
-# Keep all names, because other code uses them.
+# Don't rename anything, because other code relies on the existing names.
 #
 # | in `RobotReport` | accepts | does |
 # |---|---|---|
@@ -53,9 +53,9 @@
 # |---:|---|
 # | 1 | the node publishes its own reports as before |
 # | 2 | `mypy --strict` reports no errors in your program |
-# | 2 | mypy objects if a publisher is passed a message of the wrong type |
-# | 1 | mypy objects if `send_battery` or `send_status` is called without a value or with one of the wrong type. It also objects if `send_status` is passed any word except the two allowed ones |
-# | 1 | each call to `send_battery` or `battery_publisher.publish` with a number publishes it exactly once. That includes whole numbers, `0.0`, and numbers that an earlier call published |
+# | 2 | mypy reports an error if a publisher is passed a message of the wrong type |
+# | 1 | mypy reports an error if `send_battery` or `send_status` is called with no value, or with a value of the wrong type. It also reports an error if `send_status` is passed any word other than the two allowed words |
+# | 1 | each number passed to `send_battery`, or in a message passed to `battery_publisher.publish`, is published exactly once. That includes whole numbers, `0.0`, and numbers that an earlier call has already published |
 # | 2 | at run time, passing a value or a message of the wrong type raises an exception and publishes nothing |
 # | 1 | at run time, `send_status` and `status_publisher` publish both allowed words; for any other word, `send_status` raises an exception and publishes nothing |
 #
@@ -64,11 +64,11 @@
 # **Not judged:**
 #
 # - subscriptions, services, parameters, and how the program ends on Ctrl-C
-# - `True`, `nan`, and NumPy numbers (exercise 03 covered those), and charges below 0 or above 100. You decide what
-#   happens to them.
+# - `True`, `nan`, and NumPy numbers (exercise 03 covered those), and charges below 0 or above 100. How you
+#   handle these values is up to you.
 # - your `main()`, because the judge creates a `RobotReport` itself
-# - what the node reports after {{plan.simulated_s}} s, such as an empty battery, because the judge doesn't watch it any
-#   longer
+# - anything that the node reports after the first {{plan.simulated_s}} s, such as an empty battery, because the judge
+#   stops watching then
 # %% [answer]
 """Report a humanoid's battery and status. Other code publishes through this node, too, so it checks types."""
 

@@ -41,9 +41,10 @@
 # - left hip, left knee, left ankle
 # - right hip, right knee, right ankle
 #
-# The message types are all in `std_msgs.msg`. You choose how the simulated joints move: a sine wave, a random walk, or
-# a waving hand. At least two of the angles must change from one message to the next. There's one exception: up to a
-# quarter of the messages may repeat the previous message's angles, for example when a movement reverses.
+# The message types are all in `std_msgs.msg`. How the simulated joints move is up to you. For example, they can follow
+# a sine wave or a random walk, or make the robot wave. At least two of the angles must change from one message to the
+# next. There's one exception: up to a quarter of the messages may repeat the previous message's angles, for example
+# when a movement reverses.
 #
 # ## What is judged
 #
@@ -61,8 +62,9 @@
 # | 1 | `/robot/battery` works as before (0.4 to 0.6 Hz, no gap over 3 s; the charge falls) |
 # | 1 | the program is still running at the end of the run |
 #
-# Your program must get as far as creating a publisher. If it doesn't, the feedback explains why, and nothing else is
-# judged. You may structure the program any way you like: with one node or several, and with any executor.
+# Your program must get as far as creating a publisher. If it doesn't, the feedback explains why, and none of the
+# criteria above is judged. You may structure the program any way you like: with one node or several, and with any
+# executor.
 #
 # **Not judged:**
 #

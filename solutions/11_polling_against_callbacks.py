@@ -19,8 +19,8 @@
 #
 # Your humanoid's hand is holding an egg. The hand is covered with a touch-sensitive skin that assigns a number to each
 # touch. A monitor is supposed to forward every number to the grip controller, which must loosen the grip before the egg
-# breaks. But some numbers never reach the grip controller, and others arrive there only after the shell has cracked.
-# You open the program and find a loop that polls: five times a second, it checks which touch arrived last. Rewrite the
+# breaks. But some numbers never reach the grip controller, and others reach it only after the shell has cracked. You
+# open the program and find a loop that polls: five times a second, it checks which touch arrived last. Rewrite the
 # program so that it doesn't poll.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
@@ -48,14 +48,14 @@
 # | 1 | the program subscribes to `/robot/touch` and publishes on `/monitor/seen`, both with the type `Int32` |
 # | 3 | no touch is missed |
 # | 2 | no touch is reported twice, and the reports are in the order of the touches |
-# | 2 | at least three out of four touches that arrive alone are reported within {{ALONE_MS}} ms. At least half of those that arrive together are reported within {{TOGETHER_MS}} ms |
+# | 2 | at least three quarters of the touches that arrive alone are reported within {{ALONE_MS}} ms. At least half of those that arrive together are reported within {{TOGETHER_MS}} ms |
 # | 1 | while no touches arrive, the program uses less than {{PROCESSOR_SHARE %}} of one CPU core |
 # | 1 | the program is still running at the end of the run |
 #
 # **Not judged:** the grip controller, messages lost on the way to your program, pauses longer than three seconds, and
-# how your program ends on Ctrl-C. DDS needs a moment to match your publisher with the judge's subscription. Until the
-# two are matched, the judge doesn't receive your program's reports. The judge also can't tell a callback from a loop
-# that polls a hundred times a second. Remove the polling anyway.
+# how your program ends on Ctrl-C. DDS needs a moment to match your publisher with the judge's subscription. Reports
+# that your program publishes before then don't reach the judge, so they aren't judged. The judge also can't tell a
+# callback from a loop that polls a hundred times a second. Remove the polling anyway.
 # %% [answer]
 """Report each touch of the hand."""
 

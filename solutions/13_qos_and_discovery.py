@@ -9,7 +9,7 @@
 #   - requesting the right QoS for each topic
 #   - receiving the last status right away, even if it was published before the program started
 #   - detecting that a topic has gone silent, even though no message arrives to trigger a callback
-#   - keeping your node's last message for programs that subscribe after it was published
+#   - keeping your node's last message available to programs that subscribe later
 # out_of_scope:
 #   - what the robot should do after an alarm
 #   - liveliness and lifespan, and vendor-specific DDS settings
@@ -37,7 +37,7 @@
 #
 # | topic | type | when | content |
 # |---|---|---|---|
-# | `/dashboard/line` | `String` | 2 Hz, always | the last status that the dashboard has received, for example `status: error`, or `unknown` until the first one arrives. A line never contains more than one of the words `operational`, `error`, and `unknown` |
+# | `/dashboard/line` | `String` | 2 Hz, always | the last status that the dashboard has received, for example `status: error`, or `unknown` until the first one arrives. A line must not contain more than one of the words `operational`, `error`, and `unknown` |
 # | `/dashboard/alarm` | `Bool` | at least whenever the alarm changes | whether there is an alarm (see below); the last message is kept for subscriptions created later |
 #
 # Within {{AT_ONCE_S}} s of the start, the line must show the status that the robot published before your program
@@ -62,19 +62,19 @@
 # | 1 | the line is updated when the status changes |
 # | 1 | the program receives the heartbeat |
 # | 1 | `/dashboard/alarm` carries `Bool` messages, and the last one is kept for subscriptions created later (reliable, transient local) |
-# | 1 | the alarm is raised within {{NOT_AFTER_S}} s of silence |
+# | 1 | the alarm is raised no later than {{NOT_AFTER_S}} s after the last beat |
 # | 1 | the alarm isn't raised too early |
 # | 1 | the alarm ends when the heartbeat resumes |
 #
 # To allow for busy machines, the judge applies these tolerances. A rate of 2 Hz means {{SLOWEST_HZ}} to {{FASTEST_HZ}}
-# Hz, with a median interval of {{SHORTEST_S}} to {{LONGEST_S}} s and no gap over {{LONGEST_GAP_S}} s. An alarm may
-# start or end up to {{SLACK_S}} s later than stated above. Your program counts as started once the judge has discovered
-# its topics.
+# Hz, with a median interval of {{SHORTEST_S}} to {{LONGEST_S}} s and no gap over {{LONGEST_GAP_S}} s. The start
+# or the end of an alarm may come up to {{SLACK_S}} s later than stated above. Your program counts as started once the
+# judge has discovered its topics.
 #
 # **Not judged:**
 #
 # - the line's content in the first second, and whether you publish a line during that second. (Such a line may still
-#   show `unknown`. Later lines may not, because the judge's robot publishes a status before your program starts.)
+#   show `unknown`. Later lines must not, because the judge publishes a status before your program starts.)
 # - whether you also publish the alarm when it hasn't changed
 # - how your program ends
 # %% [answer]

@@ -19,10 +19,10 @@
 # %% [markdown]
 # # Exercise 15 · Eyes on the ball
 #
-# A ball rolls across the desk, and the robot is supposed to keep its eyes on the ball. The camera works and publishes
+# A ball is rolling across the desk, and the robot is supposed to keep its eyes on it. The camera works and publishes
 # {{RATE_HZ}} images a second, but the node between the camera and the neck is missing. You'll write that node: it finds
-# the ball in each image and publishes the ball's direction. If it reported a ball that isn't there, the robot would
-# reach into empty space. So when there's no ball, the node must report "no ball".
+# the ball in each image and publishes the ball's direction. If the node reported a ball that wasn't there, the robot
+# would reach into empty space. So when there's no ball, the node must report "no ball".
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [15](../notebooks/15_camera.ipynb).
 #
@@ -56,8 +56,8 @@
 # | publishes the ball's direction as a vector of length 1 | in this vector, x points right, y down, and z forward |
 # | is accurate | each direction points to the ball's center |
 # | reports "no ball" if there is none | it publishes the vector (0, 0, 0) |
-# | copies the image's stamp | each direction's header has the stamp of its image |
-# | keeps up with {{RATE_HZ}} images a second | it publishes at most one direction per image, and for most images, it does so right away |
+# | copies the image's stamp | each direction's header has the stamp of the image that the direction was computed from |
+# | keeps up with {{RATE_HZ}} images a second | it never publishes more than one direction for an image, and for most images, it publishes the direction right away |
 # | reads `rgb8` and `bgr8` | it uses the right color order, even if the encoding changes from one image to the next |
 # | uses `step` | it can read images whose rows end with {{PADDING}} unused bytes |
 # | rejects every other encoding | it publishes nothing for the image, logs a line that names the encoding, and keeps running |
@@ -80,7 +80,8 @@
 # | 1 | when there's no ball, your node reports "no ball" |
 #
 # The criteria for changing light and for padding count only if the direction is correct in good light. Padding is
-# judged in both encodings, but padded `bgr8` images count only if the direction is correct for `bgr8` without padding.
+# tested with both encodings, but padded `bgr8` images count only if the direction is also correct for unpadded `bgr8`
+# images.
 #
 # **Not judged:** the ball's distance, lens distortion, partly hidden balls, and how your program ends.
 #

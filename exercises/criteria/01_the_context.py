@@ -150,7 +150,7 @@ def ends_cleanly(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title="After Ctrl-C, the program's node leaves the graph",
+    title="After Ctrl-C, the program's node disappears from the graph",
     needs=[runs_until_told],
     about_end=True,
 )

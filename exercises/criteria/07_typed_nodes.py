@@ -428,7 +428,9 @@ def right_use(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=2, title="mypy objects if a publisher is passed a message of the wrong type", needs=[right_use]
+    points=2,
+    title="mypy reports an error if a publisher is passed a message of the wrong type",
+    needs=[right_use],
 )
 def wrong_message_found(recording: Recording) -> Verdict:
     return see.mypy_objects(recording, WRONG_MESSAGE, TAKES_ANY)
@@ -436,7 +438,7 @@ def wrong_message_found(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="mypy objects to a value of the wrong type, a wrong word, and a missing value",
+    title="mypy reports an error for a value of the wrong type, a wrong word, or a missing value",
     needs=[right_use],
 )
 def wrong_value_found(recording: Recording) -> Verdict:

@@ -380,7 +380,9 @@ def alarm_kept(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=1, title="The alarm is raised within 3 s of silence", needs=[alarm_topic, hears_heartbeat, runs_on]
+    points=1,
+    title="The alarm is raised no later than 3 s after the last beat",
+    needs=[alarm_topic, hears_heartbeat, runs_on],
 )
 def alarm_raised(recording: Recording) -> Verdict:
     silences = RUN(recording).silences
