@@ -1,6 +1,7 @@
-"""Scripts that start, confine, or kill an answer's process, or run in it.
+"""Stand-alone modules around an answer's process: they start, confine, inspect, or kill it, or run in it.
 
-`run.py` starts each script without importing the rest of the package `workbook`. These files import only the standard
+Some are scripts, such as the servers that fork programs or run mypy. `run.py` starts each script without importing the
+rest of the package `workbook`. Others, such as `proc.py`, are only imported. These files import only the standard
 library and each other. Some also import rclpy or mypy, where `tests/architecture` allows it. They never import the rest
 of `workbook`, which may import all of them.
 """
