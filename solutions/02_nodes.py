@@ -7,7 +7,7 @@
 # clock: simulated
 # objectives:
 #   - putting a node into a namespace
-#   - creating two nodes with different names from one class, without editing it
+#   - creating two differently named nodes from the same class, without editing the class
 #   - checking the graph for missing and unwanted nodes
 # out_of_scope:
 #   - the images' content, and real cameras
@@ -20,8 +20,8 @@
 # Your humanoid sees only the area in front of it. So when people walk up from behind, they startle it, or it startles
 # them. That's why it's getting a second camera, in the back of its head. The second camera is the same model as the
 # first, and the manufacturer's driver always calls its node `camera`. There's no point in editing the driver, because
-# its next update would overwrite your change. But the two nodes need different names, and each name must show which
-# robot its node belongs to.
+# the next update would overwrite your changes. Even so, the two nodes need different names, and each name must show
+# which robot the node belongs to.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** This exercise builds on lesson
 # [02](../notebooks/02_nodes.ipynb).
@@ -35,16 +35,16 @@
 # | `/robot/camera` | `/robot/camera/frame` | `/robot/faults` |
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
-# The driver's topic names are private (`~/frame`) or relative (`faults`). So ROS completes the first with the node's
-# namespace and name, and the second with the namespace alone. Both cameras publish their reports on the same topic, so
-# each report begins with its camera's name, as in `rear_camera: none`. Write all of your code in `make_cameras`. The
-# class and `main` need no changes.
+# The driver's topic names are private (`~/frame`) or relative (`faults`). So ROS expands the private name with the
+# node's namespace and name, and the relative name with the namespace alone. Both cameras publish their reports on the
+# same topic, so each report begins with its camera's name, as in `rear_camera: none`. Write all of your code in
+# `make_cameras`. The class and `main` need no changes.
 #
 # ## What is judged
 #
 # Your program runs in its own process, and the judge inspects the graph and the topics from another process. Each rate
-# may be up to {{rates.RATE_TOLERANCE %}} higher or lower than specified, and no gap between two messages may be longer
-# than {{rates.LONGEST_GAP_PERIODS}} periods.
+# may be up to {{rates.RATE_TOLERANCE %}} higher or lower than specified, and no gap between consecutive messages may be
+# longer than {{rates.LONGEST_GAP_PERIODS}} periods.
 #
 # | points | criterion |
 # |---:|---|
@@ -56,8 +56,8 @@
 # | 2 | there are no other nodes in the graph: no duplicates, no third node, and no node outside `/robot` |
 # | 1 | the program is still running at the end |
 #
-# **Not judged:** the content of the images, launch files, how your program ends, and the driver's code. The judge
-# checks only the driver's behavior, not whether you changed or copied its code.
+# **Not judged:** launch files, the images' content, how your program ends, and the driver's code. The judge checks only
+# the driver's behavior, not whether you changed or copied its code.
 # %% [answer]
 """Run two cameras on one robot, front and rear, with the same driver."""
 

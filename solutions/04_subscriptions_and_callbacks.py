@@ -6,9 +6,9 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - subscribing to a topic with the right name, type, and depth
+#   - subscribing to a topic with the right name, type, and queue depth
 #   - writing a callback that decides what happens to each message
-#   - passing messages on in the order in which they arrived
+#   - forwarding messages in the order of arrival
 #   - reacting once, and only once, to an impossible value
 # out_of_scope:
 #   - timers and rates; the node acts only when a message arrives
@@ -34,13 +34,13 @@
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/robot/battery` | `Float32` | subscribes | charge in percent: about ten readings a second, sometimes four in rapid succession |
+# | `/robot/battery` | `Float32` | subscribes | charge in percent: about ten readings a second, sometimes in a burst of four |
 # | `/monitor/battery` | `Float32` | publishes | each good reading, unchanged, within {{AT_ONCE_S}} s, and in the order of arrival |
-# | `/monitor/alarm` | `String` | publishes | one message for each bad reading, with the reading's value in its text, as in `bad reading: -3.0`; one decimal place is enough |
+# | `/monitor/alarm` | `String` | publishes | one message for each bad reading, with a text that contains the reading's value, as in `bad reading: -3.0` (one decimal place is enough) |
 #
 # | a reading is | if | your node |
 # |---|---|---|
-# | good | it's from 0 to 100 %, inclusive, no matter what the previous readings were | passes it on and raises no alarm |
+# | good | it's between 0 and 100 %, inclusive, no matter what the previous readings were | passes it on and raises no alarm |
 # | bad | it's below 0, above 100 (including `inf`), or not a number (`nan`) | raises one alarm and doesn't pass the reading on |
 #
 # All message types are from `std_msgs.msg`.
@@ -56,14 +56,14 @@
 # | 1 | the program subscribes to `/robot/battery` with the type `Float32` |
 # | 1 | `/monitor/battery` carries `Float32` messages |
 # | 2 | every good reading is passed on within {{AT_ONCE_S}} s, and in the order of arrival |
-# | 1 | for a bad reading, `/monitor/battery` carries neither the reading nor a substitute |
+# | 1 | neither a bad reading nor a substitute for one appears on `/monitor/battery` |
 # | 1 | `/monitor/alarm` carries `String` messages |
 # | 2 | each bad reading raises exactly one alarm, which contains the reading's value |
 # | 1 | good readings raise no alarm |
 # | 1 | the program ignores `/other_robot/battery` |
 #
 # You may structure the program any way you like: with a class or just functions, one node or two, and any executor.
-# Because the machine may be busy, up to one good reading in ten may take longer than {{AT_ONCE_S}} s.
+# Because the machine may be busy, up to one good reading in ten may be delayed by more than {{AT_ONCE_S}} s.
 #
 # **Not judged:** publishing rates, how soon an alarm follows a bad reading, and how your program ends on Ctrl-C.
 # %% [answer]

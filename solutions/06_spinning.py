@@ -19,9 +19,10 @@
 # # Exercise 06 · Spin for a given time
 #
 # Your humanoid is on a test stand that's controlled by an ordinary Python program. The program moves an arm, lets the
-# robot operate for 1.5 s, reads a gauge, and lets the robot operate for another second. It can't use `rclpy.spin`,
-# because that call doesn't return. Instead, it needs a function that *spins a node for a given number of seconds and
-# then returns*. The function is called `pump`, because it keeps callbacks flowing, the way a pump keeps water flowing.
+# robot's callbacks run for 1.5 s, reads a gauge, and lets the callbacks run for another second. It can't use
+# `rclpy.spin`, because that call doesn't return. Instead, it needs a function that *spins a node for a given number of
+# seconds and then returns*. The function is called `pump`, because it keeps callbacks flowing, the way a pump keeps
+# water flowing.
 #
 # **About 25 minutes · difficulty 3 of 5 · 10 points.** This exercise builds on lesson
 # [06](../notebooks/06_spinning.ipynb).
@@ -35,13 +36,13 @@
 # |---|---|
 # | until the time is up | whenever one of the node's timer or subscription callbacks is ready, `pump` runs it |
 # | while no callback is ready | `pump` waits without using the processor |
-# | when the time is up | `pump` returns, but not before then. If a callback is still running, `pump` lets it finish first, so `pump` may be late by that callback's duration |
+# | when the time is up | `pump` returns, and no sooner. If a callback is still running, `pump` lets it finish first, so `pump` may return late, by up to that callback's duration |
 # | after the call | nothing that `pump` started is still running, and the node is unchanged, so that you can call `pump` again |
 #
 # ## What is judged
 #
-# A test program, the driver, imports your file and calls `pump` eight times, for {{ASKED_S.5}} s to {{ASKED_S.1}} s
-# each. It uses three robots:
+# The judge runs a test program that imports your file and calls `pump` eight times, for {{ASKED_S.5}} s to
+# {{ASKED_S.1}} s each. The test program uses three robots:
 #
 # - The first robot publishes a heartbeat (10 Hz), looks around (2 Hz), repeats each word that it receives, and runs
 #   slow jobs ({{JOB_S}} s each).
@@ -49,18 +50,18 @@
 #   return.
 # - The third robot has only slow jobs.
 #
-# Each robot publishes a message whenever it does something. For each call, the driver reports the start time, the end
-# time, and any changes that the call made to the node. The driver also reports whether any thread that the call started
-# is still running afterward. (An idle thread in a thread pool doesn't count.)
+# Each robot publishes a message whenever it does something. For each call, the test program reports the start time, the
+# end time, and any changes that the call made to the node. The test program also reports whether any thread that the
+# call started is still running afterward. (An idle thread in a thread pool doesn't count.)
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `pump` returns |
 # | 1 | `pump` returns when the time is up: `pump(node, {{ASKED_S.1}})` after {{ASKED_S.1}} s. No call returns more than {{EARLY_S}} s early, and for the calls with the first robot, the median delay is at most {{LATE_S}} s |
-# | 2 | all {{BURST_WORDS}} words that arrive in a burst are handled during the call |
-# | 1 | the timers keep their rate during the call: at least {{LEAST_SHARE %}} of the heartbeats are published, with no gap longer than {{LONGEST_SILENCE_S}} s |
-# | 1 | later calls work, too: the second call handles the words that were waiting in the queue, and even the short calls run callbacks |
-# | 1 | with a queue of slow jobs, `pump` returns no later than one job ({{JOB_S}} s) plus {{LATE_S}} s after the time is up |
+# | 2 | during the first call, the first robot receives a burst of {{BURST_WORDS}} words, and `pump` handles all of them before it returns |
+# | 1 | the timers keep firing during the first call: at least {{LEAST_SHARE %}} of the heartbeats are published, with no gap longer than {{LONGEST_SILENCE_S}} s. The robot also looks around at least once |
+# | 1 | later calls work, too: the second call handles the {{WAITING_WORDS}} words that arrived after the first call. Callbacks run even in calls of {{ASKED_S.5}} to {{ASKED_S.3}} s |
+# | 1 | even with slow jobs in the queue, `pump` returns at most {{LATE_S}} s late. A job that's still running when the time is up may add {{JOB_S}} s |
 # | 1 | with the quiet robot, `pump` also returns on time (at most {{EARLY_S}} s early or {{LATE_S}} s late) and handles the robot's first two words |
 # | 1 | `pump` uses less than {{PROCESSOR_SHARE %}} of a CPU core with the quiet robot, and less than {{SHARE_WITH_TIMERS %}} with the first robot, which has timers |
 # | 1 | between calls, no callback is running, and neither is any thread that `pump` started. The node still has the same timers, periods, subscriptions, guard conditions, and parameters |

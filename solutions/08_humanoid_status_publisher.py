@@ -7,7 +7,7 @@
 # clock: simulated
 # objectives:
 #   - finding a fault by looking at the messages that arrive, not by staring at the code
-#   - sending a number in a float field so that it arrives unchanged
+#   - publishing a number in a float field so that subscribers receive that number
 #   - converting a rate in hertz to a timer period
 #   - ending a program with exit code 0 on Ctrl-C
 # out_of_scope:
@@ -38,14 +38,15 @@
 # ## What is judged
 #
 # Your program runs in its own process for {{plan.simulated_s}} s of simulated time, while the judge checks the messages
-# that it publishes. Then the judge sends SIGINT, the signal that Ctrl-C sends, and checks how the program ends.
+# that your program publishes. Then the judge sends SIGINT, the signal that Ctrl-C sends, and checks how the program
+# ends.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` messages |
-# | 2 | the published charge is correct: it starts at 100 % (or lower by what the battery loses between messages), then falls, and never drops below 0 |
+# | 2 | the published charge is correct: it starts at 100 % (or about one step lower), then falls, and never drops below 0 |
 # | 2 | the charge is published at a steady 0.5 Hz (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` works as before: `String` messages at 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), with the word that matches the charge |
+# | 1 | `/robot/status` still works: it carries `String` messages at 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s). Each message contains the word that matches the charge |
 # | 1 | the program keeps running until Ctrl-C |
 # | 3 | Ctrl-C ends the program with exit code 0 and no traceback |
 #
@@ -53,13 +54,13 @@
 # `%check` shows the third. You may fix the three bugs in place or rewrite the program.
 #
 # The program simulates an old battery that runs out within half a minute, so that the status changes while the judge is
-# watching. The status may change to `error` at any time after the last message with a charge above 0. Every status
-# after the second message with a charge of 0 must be `error`.
+# watching. The status may change to `error` at any time after the last message with a charge above 0. Once two messages
+# with a charge of 0 have been published, every status must be `error`.
 #
-# The charge may fall in unequal steps, and you may round it. So the judge allows a tolerance for the first charge:
-# {{batteries.ROUNDING}} % plus 1.5 times the largest drop between two messages. If your program uses the real clock
-# instead of simulated time, the judge may miss the first messages. In that case, the tolerance for the first charge
-# that it receives is {{batteries.ROUNDING}} % plus four times the largest drop.
+# The charge may fall in unequal steps, and you may round it. So the first charge may be below 100 % by up to
+# {{batteries.ROUNDING}} % plus 1.5 times the largest drop between consecutive messages. If your program uses the real
+# clock instead of simulated time, the judge may miss the first messages. In that case, the first charge that the judge
+# receives may be below 100 % by up to {{batteries.ROUNDING}} % plus four times the largest drop.
 #
 # **Not judged:** additional topics, reading a real battery, signals other than the one that Ctrl-C sends, your log
 # messages, and how fast the battery drains. (If your battery lasts longer than {{plan.simulated_s}} s, the judge simply

@@ -7,7 +7,7 @@
 # clock: wall
 # objectives:
 #   - running slow code where it doesn't delay other callbacks
-#   - keeping the heartbeat going during a search, but never running two searches at the same time
+#   - keeping the heartbeat going during a search, without ever running two searches at the same time
 #   - keeping results correct when several requests arrive at the same time
 # out_of_scope:
 #   - a faster planner; do not change it
@@ -32,11 +32,11 @@
 # | `/robot/plan_request` | received | `Float32` | | the requested distance from the shoulder to the hand, in m |
 # | `/robot/plan` | published | `Float32` | | the elbow's bend for the requested distance, in rad |
 #
-# - Publish one plan for every request, in the order of the requests. Sometimes, four requests arrive within half a
-#   second. There's only one collision checker, so only one search may run at a time, and the other requests have to
-#   wait. But you must not lose any of them.
+# - Publish one plan for every request, in the order in which the requests arrive. Sometimes, four requests arrive
+#   within half a second. There's only one collision checker, so only one search may run at a time, and the other
+#   requests have to wait. But you must not lose any of them.
 # - If the same distance is requested again, treat that as a new request, and run the planner again. If a distance is
-#   beyond the arm's reach, the planner returns a bend of almost 0 rad, a straight arm. Publish that plan, too.
+#   beyond the arm's reach, the planner returns almost 0 rad, which means a straight arm. Publish that plan, too.
 # - We provide `ElbowPlanner`. **Don't change it.** It spends most of its time waiting, so it doesn't keep the processor
 #   busy. A planner object stores the state of only one search: if two searches run at the same time, they overwrite
 #   each other's state.
@@ -51,16 +51,16 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/heartbeat` carries `String` messages |
-# | 2 | even while the robot plans, the number of heartbeats is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number. The typical interval (averaging five intervals at a time) is {{TYPICALLY_S.0}} to {{TYPICALLY_S.1}} s |
+# | 2 | even while the robot is planning, heartbeats keep coming: their number is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number. The median interval, averaged over five consecutive intervals, is {{TYPICALLY_S.0}} to {{TYPICALLY_S.1}} s |
 # | 2 | the heartbeat never pauses for more than {{LONGEST_SILENCE_S}} s |
 # | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` messages on `/robot/plan` |
 # | 2 | each plan matches `ElbowPlanner`'s result to within {{TOLERANCE_RAD}} rad and is published at least {{SOONEST_S}} s after its request |
-# | 1 | there is one plan for every request, the plans are in the order of the requests, and only one search runs at a time |
-# | 1 | the program is still running at the end of the run |
+# | 1 | there is one plan for every request, the plans are in the same order as the requests, and only one search runs at a time |
+# | 1 | the program is still running at the end |
 #
-# **Not judged:** services, the text of a heartbeat, anything after the nine seconds, and how your program ends on
-# Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only the planner's results and how long they
-# take.
+# **Not judged:** the use of services (see lesson 12), a heartbeat's text, anything after the nine seconds, and how your
+# program ends on Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only the planner's results and
+# how long they take.
 # %% [answer]
 """Publish a humanoid's heartbeat, and plan its elbow's bend on request."""
 

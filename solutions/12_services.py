@@ -32,7 +32,7 @@
 # |---|---|---|
 # | `/robot/self_test` | service, `std_srvs/srv/Trigger` | your node calls it once a second |
 # | `/robot/health` | topic, `String` | your node publishes one message for each call: `ok`, `faulty`, or `no answer` |
-# | `/robot/heartbeat` | topic, `String` | your node publishes any text at 5 Hz, whatever happens; the starter code already does this |
+# | `/robot/heartbeat` | topic, `String` | your node publishes a message at 5 Hz, whatever happens (any text will do); the starter code already does this |
 #
 # - When a response arrives, publish `ok` if its `success` field is true, and `faulty` otherwise. (Don't rely on the
 #   `message` field: it's meant for people, and the same text may come with either result.) Report each response only
@@ -46,11 +46,11 @@
 # ## What is judged
 #
 # Your program runs in its own process for twelve and a half seconds of real time. The judge offers the service. It
-# responds to some calls right away, to some after {{SLOW}} s, and to some not at all.
+# responds to some calls right away, to others after {{SLOW}} s, and to others not at all.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the program is still running at the end of the run |
+# | 1 | the program is still running at the end |
 # | 1 | calls to `/robot/self_test` keep arriving |
 # | 1 | there is one call per second, even after a call without a response |
 # | 1 | `/robot/health` exists, has the type `String`, and carries only the three words |
@@ -64,11 +64,11 @@
 #   All intervals must be shorter than {{LONGEST_PAUSE_S}} s, and at most one may be longer than {{PAUSE_S}} s. But
 #   intervals that follow a call without a response are exempt from the {{PAUSE_S}} s limit. The number of calls is
 #   limited, too. Divide the time from the first call to the last by {{SHORTEST_PERIOD_S}} s, and round the result to
-#   the nearest integer. The result is the maximum number of calls after the first one.
+#   the nearest integer. That integer is the maximum number of calls after the first one.
 # - **A report** may be up to {{SLACK_S}} s later than stated above, and one report may be up to {{LATER_ONCE_S}} s
-#   later. A `no answer` may come up to {{LONG_SLACK_S}} s later than stated above, or up to {{SLACK_S}} s earlier.
-#   Those {{SLACK_S}} s allow for an occasional early report, so if every `no answer` is more than {{NEARLY_S}} s early,
-#   that counts as an error.
+#   later. A `no answer` may come up to {{LONG_SLACK_S}} s later than stated above, or up to {{SLACK_S}} s earlier. The
+#   {{SLACK_S}} s margin is meant for an occasional early report. But if every `no answer` is more than {{NEARLY_S}} s
+#   early, the judge counts that as an error.
 # - **5 Hz** means that the number of beats is {{LEAST_SHARE %}} to {{MOST_SHARE %}} of the expected number. The median
 #   interval between beats must be {{SHORTEST_BEAT_S}} to {{LONGEST_BEAT_S}} s, and the final beat must arrive in the
 #   last {{STOPPED_S}} s of the run. While your node is waiting for a response, {{LEAST_MEANWHILE %}} of the expected
@@ -77,8 +77,8 @@
 # You may structure the program any way you like: with callbacks, `await`, threads, or several nodes.
 #
 # **Not judged:** offering a service, waiting until the service is available, the text of a heartbeat, and how your
-# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may report a
-# call that your node made before the judge was connected.
+# program ends on Ctrl-C. A `no answer` in the first {{FIRST_SECONDS_S}} s isn't judged either, because it may refer to
+# a call made before the judge was connected.
 # %% [answer]
 """Call the robot's self-test once a second, and report each result to the control room."""
 

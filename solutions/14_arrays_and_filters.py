@@ -8,7 +8,7 @@
 # objectives:
 #   - converting the angles of a JointState to an array and back
 #   - filtering twelve joints at the same time, message by message, with state that persists from one callback to the next
-#   - choosing a filter by the noise that it leaves and the delay that it adds
+#   - choosing a filter based on how much noise it leaves and how much delay it adds
 #   - keeping NaN out of a filter, and resetting the filter when its source restarts
 # out_of_scope:
 #   - velocities and efforts
@@ -35,7 +35,7 @@
 # |---:|---:|---:|---|
 # | 40.00 s | 0.94 | 0.940 | the first message: assume that the joint has always been at this angle |
 # | 40.05 s | 0.97 | 0.950 | the mean of 0.94, 0.94, and 0.97 |
-# | 40.10 s | NaN | 0.960 | the last good angle, 0.97, replaces the NaN |
+# | 40.10 s | NaN | 0.960 | the mean of 0.94, 0.97, and 0.97: the last good angle, 0.97, replaces the NaN |
 # | 40.15 s | 0.93 | 0.957 | the mean of 0.97, 0.97, and 0.93 |
 # | 0.75 s | 0.14 | 0.140 | this stamp is earlier than the previous one, because the encoder board was restarted: reset the filter's state |
 #
@@ -51,10 +51,10 @@
 # | `/encoders/joint_states` | `JointState` | subscribes | 20 messages a second, with the names and noisy angles of 12 joints |
 # | `/robot/joint_states` | `JointState` | publishes | one message with the filtered angles for each message received |
 #
-# An *answer* is the message that your node publishes in response to a received message. `JointState` is in
-# `sensor_msgs.msg`. Its `position` field holds the angles in rad; `velocity` and `effort` are empty. The judge's
-# publisher offers reliable, volatile QoS with a queue depth of 100. The starter code's subscription, with a queue depth
-# of 50, is compatible with that.
+# In this exercise, an *answer* is the message that your node publishes in response to a message that it received.
+# `JointState` is in `sensor_msgs.msg`. Its `position` field holds the angles in rad; `velocity` and `effort` are empty.
+# The judge's publisher offers reliable, volatile QoS with a queue depth of 100. The starter code's subscription, with a
+# queue depth of 50, is compatible with that.
 #
 # Your node:
 #
@@ -62,7 +62,7 @@
 # - copies the header's stamp and the names from the message that it answers
 # - reduces the noise
 # - keeps the delay small
-# - publishes angles close to the joints' actual angles from the first message on
+# - publishes angles close to the joints' actual angles, starting with the first message
 # - replaces NaNs, so that every published angle is a finite number
 # - resets the filter's state after each restart of the encoder board
 #
@@ -71,8 +71,8 @@
 #
 # **The noise** has a standard deviation of {{NOISE_RAD}} rad and never exceeds {{LARGEST_NOISE_RAD}} rad.
 #
-# **NaNs.** Sometimes, one, several, or all of a message's angles are NaN. At most three messages in a row contain NaNs.
-# This happens only while the joints are at rest, and never in the judge's first message or in the first message after a
+# **NaNs.** In some messages, one, several, or all of the angles are NaN. At most three messages in a row contain NaNs.
+# NaNs occur only while the joints are at rest, and never in the judge's first message or in the first message after a
 # restart.
 #
 # **The restart.** A stamp is the time of the measurement, in seconds since the encoder board was switched on. When an
@@ -83,10 +83,10 @@
 #
 # ## What is judged
 #
-# Your program runs in its own process. The judge publishes {{MESSAGES}} messages. In the course of these messages, the
-# joints rest, move, rest again (this time with some NaNs), and move back. Then the board is restarted, and two seconds
-# later, it's restarted again. The judge waits for each answer and measures how long the answer takes in real time. It
-# compares the angles in your answers with the true ones.
+# Your program runs in its own process. The judge publishes {{MESSAGES}} messages. During the run, the joints rest,
+# move, rest again (this time with some NaNs), and move back. Then the board is restarted, and two seconds later, it's
+# restarted again. The judge waits for each answer and measures how long the answer takes in real time. It compares the
+# angles in your answers with the true ones.
 #
 # | points | criterion |
 # |---:|---|
@@ -103,8 +103,8 @@
 # The last five criteria count only if the node actually filters the angles. The judge checks this while the joints are
 # at rest. If the published angles are the same as the received ones, or far from the true ones, only the first four
 # criteria count. You may use any filter, in NumPy, SciPy, or plain Python. You may structure your program any way you
-# like, for example with one filter object for all joints or with one for each. `rclpy.experimental.EventsExecutor`
-# doesn't work in this rclpy build: its `spin()` never runs a callback.
+# like, for example with one filter object for all joints or with one for each. There's one exception:
+# `rclpy.experimental.EventsExecutor` doesn't work in this rclpy build, because its `spin()` never runs a callback.
 #
 # **Not judged:** velocities, efforts, the header's frame, lost messages, irregular stamps, and how your program ends on
 # Ctrl-C.
@@ -120,13 +120,13 @@
 # | first angles | in each of the first {{STARTING}} answers, every angle is within {{NEAR_RAD}} rad of the joint's true angle |
 # | after a restart | in each of the first {{STARTING}} answers after it, every angle is within {{NEAR_RAD}} rad of the joint's true angle |
 # | NaNs | from the first NaN until the first restart, every angle is a finite number. Until the joints start to move back, every angle is within {{NEAR_RAD}} rad of the joint's true angle. Near the end of that movement, every angle is within {{FOLLOWS_RAD}} rad |
-# | overshoot | overshoot counts like any other error. But angles that run ahead of their joint don't count as delayed, no matter how far ahead they are |
-# | the same as the received ones | at every joint, the published angles differ from the received ones by at most {{LEAST_CHANGE_RAD}} rad |
+# | overshoot | overshoot is treated like any other error. But angles that run ahead of their joint don't count as delayed, no matter how far ahead they are |
+# | the same as the received ones | for every joint, the published angles differ from the received ones by at most {{LEAST_CHANGE_RAD}} rad |
 # | far from the true ones | at least one joint has a mean error of more than {{LARGEST_NOISE_RAD}} rad |
 #
 # The noise, and the difference between published and received angles, are measured as root mean squares. The judge
 # ignores noise and delay for 1 s ({{SETTLED}} messages) after the first message and after each restart. It also ignores
-# them for 1 s after the joints start or stop moving. A filter needs that long to settle.
+# them for 1 s after the joints start or stop moving. The reason is that a filter needs that long to settle.
 # %% [answer]
 """Filter noisy joint angles: publish them with less noise and little delay."""
 

@@ -1,6 +1,6 @@
 # ---
 # exercise: 16_ai_model
-# title: A robot that sees and keeps its balance
+# title: A robot that sees toys and reports a fall
 # minutes: 45
 # difficulty: 4
 # kind: program
@@ -17,12 +17,12 @@
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
-# # Exercise 16 · A robot that sees and keeps its balance
+# # Exercise 16 · A robot that sees toys and reports a fall
 #
 # Your robot is clearing a desk. A neural network finds the toys on the desk, but the network takes {{MODEL_S}} s per
 # image. The camera publishes {{CAMERA_HZ}} images a second, and the rest of the robot can't wait for the network. A
-# heartbeat must be published ten times a second. A fall must be reported within half a second. We provide the network.
-# Write the node around it.
+# heartbeat must be published ten times a second, and a fall must be reported within half a second. We provide the
+# network, and you write the node around it.
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** This exercise builds on lesson [16](../notebooks/16_ai_model.ipynb).
 #
@@ -38,8 +38,8 @@
 # | 0.40 s | the model raises `RuntimeError` for image 7, and the node passes it image 13, which is now the newest | nothing, but the log says `glare: 97% of the picture is white` |
 # | 0.60 s | the model returns its detections | the toys in image 13, stamped 512.400 s |
 #
-# During all of this, the node publishes `operational` on `/robot/status` every 0.1 s. If ten IMU samples in a row show
-# a tilt of more than {{TILT_DEG}}°, it publishes `error` from the next heartbeat on.
+# Throughout this time, the node publishes `operational` on `/robot/status` every 0.1 s. If ten IMU samples in a row
+# show a tilt of more than {{TILT_DEG}}°, the node publishes `error` from the next heartbeat on.
 #
 # ## What to build
 #
@@ -61,10 +61,10 @@
 #
 # **The model** that we provide is `SlowDetector`. It finds orange toys: balls, bricks, cups, and plates. It expects RGB
 # pixels (`uint8`). While it waits for its accelerator, it doesn't hold the GIL, so your program's other threads keep
-# running. Loading it takes one second. If an image is washed out by glare, it raises `RuntimeError`. You may call it
-# from several threads, but it processes one image at a time. A second call has to wait for the first, and the second
-# image gets older in the meantime. So calling the model from two threads at the same time would only make the
-# detections older. We also provide `to_markers` and `tilt`.
+# running. Loading it takes one second. If an image is washed out by glare, the model raises `RuntimeError`. You may
+# call the model from several threads, but it processes one image at a time. A second call has to wait for the first,
+# and the second image gets older in the meantime. So calling the model from two threads at the same time would only
+# make the detections older. We also provide `to_markers` and `tilt`.
 #
 # **The desk.** Each image shows a ball, a cup, a plate, and two bricks, so an empty `MarkerArray` is never right.
 # There's also a blue ball on the desk, but it doesn't count as a toy.
@@ -75,11 +75,11 @@
 # |---|---|
 # | keeps the heartbeat regular | the heartbeat is published ten times a second, without gaps |
 # | publishes fresh detections | each message is published soon after its image, even after a fall |
-# | doesn't guess | each detection comes from the given model, which takes {{MODEL_S}} s |
-# | stamps each detection with its image's stamp | there's only one message per image, and the messages are in the order of the images |
+# | doesn't guess | each detection comes from `SlowDetector`, which takes {{MODEL_S}} s |
+# | stamps each detection with its image's stamp | each message has its image's stamp, there's only one message per image, and the messages are in the same order as the images |
 # | detects correctly | each message has the right toys in the right places |
 # | survives the model's exceptions | if the model raises an exception, your node publishes nothing for that image, not even an empty message. It logs the exception's text and continues with the newest image |
-# | reports a fall | if ten samples in a row are tilted by more than {{TILT_DEG}}°, the status changes to `error` |
+# | reports a fall | if ten samples in a row show a tilt of more than {{TILT_DEG}}°, the status changes to `error` |
 # | raises no false alarm | it never publishes `error` before the fall: a jolt that lasts nine samples isn't a fall, and neither is leaning by 55° |
 # | remembers the fall | after the first `error`, it never publishes `operational` again, even if someone sets the robot upright |
 #
@@ -94,7 +94,7 @@
 # | 1 | your node subscribes to `/camera/image` with the type `Image`, and `/robot/detections` carries `MarkerArray` messages |
 # | 1 | the heartbeat continues, even while the model is running |
 # | 1 | each detection has its image's stamp, and there's only one message per image, in order |
-# | 2 | the detections are fresh and come from the given model |
+# | 2 | the detections are fresh and come from `SlowDetector` |
 # | 2 | the detections are correct |
 # | 1 | your node keeps working after the model raises an exception |
 # | 2 | `/robot/status` reports `error` after the fall, but not before, and never goes back to `operational` |
@@ -111,9 +111,9 @@
 # | fresh | at least half of the messages are published within {{TYPICALLY_S}} s of their image, and at least nine out of ten within {{MOSTLY_S}} s |
 # | often | except during the glare, the node publishes detections for at least {{LEAST_HZ}} images a second, even after a fall |
 # | not guessed | each message is published at least {{SOONEST_S}} s after its image |
-# | correct | at least {{RIGHT_SHARE %}} of the messages are correct. In a correct message, every toy that's at least {{WHOLE %}} visible has a marker with its label, at most {{WITHIN_PIXELS}} pixels from its center. Less visible toys may have a marker, too, but nothing else may have one |
+# | correct | at least {{RIGHT_SHARE %}} of the messages are correct. In a correct message, every toy that's at least {{WHOLE %}} visible has a marker with the toy's label within {{WITHIN_PIXELS}} pixels of the toy's center. Less visible toys may have a marker, too, but nothing else may have one |
 # | continues | the node publishes detections again within {{PAUSE_S}} s of the end of the glare |
-# | fall | the first `error` is published within {{FALL_WITHIN_S}} s of the tenth tilted sample |
+# | fall | the first `error` is published within {{FALL_WITHIN_S}} s of the tenth tilted sample in a row |
 # %% [answer]
 """Detect toys with a slow model, keep the heartbeat regular, and report when the robot has fallen."""
 

@@ -61,7 +61,7 @@ class TestPlaceholders:
     ("number", "constants", "words"),
     [
         ("04", {"SHARE_AT_ONCE": 0.9}, "one good reading in ten"),
-        ("10", {"AVERAGED": 5}, "(averaging five intervals at a time)"),
+        ("10", {"AVERAGED": 5}, "averaged over five consecutive intervals"),
         ("10", {"WATCH_S": 9.0}, "nine seconds of real time"),
         ("11", {"ALONE_SHARE": 0.75}, "three quarters of the touches that arrive alone"),
         ("12", {"WATCH_S": 12.5}, "twelve and a half seconds of real time"),
