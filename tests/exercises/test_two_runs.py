@@ -8,7 +8,12 @@ import pytest
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.exercise.judgement import (
+    Judgement,
+    judge_recording,
+    kept_from_simulated_time,
+    with_kept_results,
+)
 from workbook.exercise.two_runs import (
     MOST_WALL_S,
     REAL_LIFE_S,
@@ -175,6 +180,24 @@ def test_the_wall_clock_does_not_overrule_the_pace_that_robot_time_has_proved() 
     assert lost(wall_clock_decides(EXERCISE, None, wall)) == lost(wall) != lost(robot)
     same = judged(in_real_time(seen("period_for_frequency")))
     assert wall_clock_decides(EXERCISE, robot, same).criteria == robot.criteria
+
+
+def test_the_recording_names_the_results_that_another_recording_showed() -> None:
+    """So the same criteria, which see only this recording, can't silently change the points."""
+    robot = judged(seen())
+    joints = in_real_time(seen()).topic(JOINTS)
+    with_a_gap = replace(joints, arrivals=joints.arrivals[:5] + joints.arrivals[6:])
+    wall = in_real_time(seen())
+    wall = replace(wall, topics={**wall.topics, JOINTS: with_a_gap})
+    decided = wall_clock_decides(EXERCISE, robot, judged(wall))
+    assert decided.full_marks and lost(judged(wall)) == {"joint_rate"}
+    assert decided.recording is not None
+    assert kept_from_simulated_time(decided.recording) == {"joint_rate"}
+    again = judged(decided.recording)
+    assert lost(again) == {"joint_rate"}
+    assert with_kept_results(decided, again).criteria == decided.criteria
+    alike = wall_clock_decides(EXERCISE, robot, judged(in_real_time(seen())))
+    assert alike.recording is not None and not kept_from_simulated_time(alike.recording)
 
 
 def test_another_rate_in_real_time_overrules_robot_time() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from workbook.exercise.definition import OWN_CRITERIA, load_exercise
-from workbook.exercise.judgement import judge_recording
+from workbook.exercise.judgement import KEPT, judge_recording
 from workbook.exercise.source import stems
 from workbook.grading.new_results import GradedBy, Submission, graded_result
 from workbook.grading.regrade import regrade
@@ -145,6 +145,23 @@ def test_full_marks_for_the_beginning_of_a_script_stay_inconclusive(tmp_path: Pa
     assert results["whole", STEM].inconclusive_reason == "", (
         "nothing is lost that the machine could have taken"
     )
+
+
+def test_results_that_only_another_recording_showed_are_not_judged_again(tmp_path: Path) -> None:
+    exercise = load_exercise(STEM, ROOT)
+    good = Recording.load(ROOT / "tests" / "recordings" / STEM / "solution.json")
+    kept = replace(good, notes=(f"{KEPT}joint_rate",))
+    with ResultsFile(tmp_path / RESULTS) as file:
+        judgement = judge_recording(exercise, "a" * 64, kept)
+        file.append(
+            graded_result(
+                Submission("both", "both.py", "a" * 64),
+                [judgement],
+                GradedBy(exercise, "sandbox", tmp_path),
+            )
+        )
+    [found] = regrade(tmp_path, replace(exercise, criteria_sha256="b" * 64))
+    assert "a run in simulated time decided some results" in found.problem
 
 
 def test_the_criteria_of_every_exercise_need_no_rclpy() -> None:

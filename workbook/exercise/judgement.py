@@ -58,6 +58,9 @@ class Judgement:
 
 Report = Callable[[Judgement], None]
 
+KEPT = "decided in simulated time: "
+"""The beginning of a recording's note about results that only another recording shows, which isn't stored."""
+
 
 def judge_recording(
     exercise: Exercise,
@@ -78,3 +81,19 @@ def judge_recording(
 def judgement_as_provisional(judgement: Judgement) -> Judgement:
     """Return the judgment, marked as not final."""
     return replace(judgement, provisional=True)
+
+
+def kept_from_simulated_time(recording: Recording) -> frozenset[str]:
+    """Return the IDs of the criteria whose results a recording of a run on the wall clock doesn't show.
+
+    A run in simulated time decided them.
+    """
+    note = next((note.removeprefix(KEPT) for note in recording.notes if note.startswith(KEPT)), "")
+    return frozenset(note.split())
+
+
+def with_kept_results(before: Judgement, again: Judgement) -> Judgement:
+    """Return `again`, a new judgment of the recording of `before`, with the results that simulated time decided."""
+    kept = kept_from_simulated_time(before.recording) if before.recording is not None else frozenset()
+    results = {one.id: one for one in before.criteria if one.id in kept}
+    return replace(again, criteria=tuple(results.get(one.id, one) for one in again.criteria))

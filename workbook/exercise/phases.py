@@ -14,7 +14,13 @@ from typing import Protocol
 from workbook.criteria.vocabulary.field_checks import field_check_note
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise
-from workbook.exercise.judgement import Judgement, Report, judge_recording, judgement_as_provisional
+from workbook.exercise.judgement import (
+    Judgement,
+    Report,
+    judge_recording,
+    judgement_as_provisional,
+    with_kept_results,
+)
 from workbook.exercise.spins import repeated_init, spins_in
 from workbook.exercise.two_runs import (
     REAL_LIFE_S,
@@ -204,6 +210,7 @@ class FieldChecks:
             process = watch.finish(self._recording).process
         recording = replace(self._recording, notes=(*self._recording.notes, field_check_note(process)))
         again = self.case.judged(recording, real_life=self.judgement.watched_real_life)
+        again = with_kept_results(self.judgement, again)
         return replace(
             again, inconclusive_reason=self.judgement.inconclusive_reason, end_only=self.judgement.end_only
         )

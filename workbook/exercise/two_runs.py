@@ -11,7 +11,7 @@ from workbook.criteria.runner import CriterionResult
 from workbook.exercise.answers import Answer, syntax_mistake
 from workbook.exercise.definition import Exercise
 from workbook.exercise.inconclusive import find_inconclusive_reason
-from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.exercise.judgement import KEPT, Judgement, judge_recording
 from workbook.exercise.spins import spins_in_a_callback
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Recording
@@ -152,7 +152,14 @@ def _with_what_simulated_time_proved(on_simulated: Judgement, on_wall: Judgement
         kept = proved and not any(_has_another_rate(recording, real, topic) for topic in proved)
         return earlier if kept else result
 
-    return replace(on_wall, criteria=tuple(map(of_both, on_wall.criteria)))
+    criteria = tuple(map(of_both, on_wall.criteria))
+    kept = [
+        one.id
+        for one, other in zip(criteria, on_wall.criteria, strict=True)
+        if (one.status, one.points) != (other.status, other.points)
+    ]
+    notes = (*real.notes, KEPT + " ".join(kept)) if kept else real.notes
+    return replace(on_wall, criteria=criteria, recording=replace(real, notes=notes))
 
 
 def _contradicts(exercise: Exercise, on_simulated: Judgement, on_wall: Judgement) -> bool:

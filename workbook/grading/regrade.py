@@ -6,7 +6,7 @@ from pathlib import Path
 
 from workbook.exercise.definition import Exercise
 from workbook.exercise.inconclusive import EXCUSED_ENDS, script_cut_short
-from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.exercise.judgement import Judgement, judge_recording, kept_from_simulated_time
 from workbook.exercise.retries import counting
 from workbook.grading.new_results import GradedBy, Submission, graded_result, versions
 from workbook.grading.results import CriterionLine, Result
@@ -161,6 +161,10 @@ def _judged_again(
         recording = Recording.load(path)
     except (OSError, ValueError, TypeError) as error:
         raise CannotRegrade(f"its recording cannot be read: {error}") from error
+    if kept_from_simulated_time(recording):
+        raise CannotRegrade(
+            "a run in simulated time decided some results, and only the other run was recorded"
+        )
     judgement = judge_recording(exercise, answer_sha256, recording)
     if judgement.status != "graded":
         raise CannotRegrade(judgement.reason or "the criteria failed")
