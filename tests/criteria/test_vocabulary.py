@@ -200,6 +200,8 @@ def test_more_messages_than_are_kept_are_heeded_once_those_are_right() -> None:
 
 def test_alive_at_end() -> None:
     accepts(see.alive_at_end(battery(EVEN)), "8.0 s")
+    simulated = replace(battery(EVEN), clock="simulated", watched_s=26.0)
+    accepts(see.alive_at_end(simulated), "after 26.0 s of robot time")
     refuses(
         see.alive_at_end(silent(ended_by_itself("", 0))), "ended by itself after 2.5 s", "exit code 0", "spin"
     )
