@@ -157,8 +157,9 @@ for folder in FORBIDDEN:
 listening = []
 for port in PORTS:
     try:
-        socket.create_connection(("127.0.0.1", port), 1).close()
-        listening.append(port)
+        with socket.create_connection(("127.0.0.1", port), 1) as connection:
+            if connection.getsockname() != connection.getpeername():  # TCP may connect a free port to itself
+                listening.append(port)
     except OSError:
         pass
 users = sorted({path.stat().st_uid for path in Path("/proc").glob("[0-9]*")})
