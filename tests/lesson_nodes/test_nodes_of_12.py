@@ -18,6 +18,8 @@ HEART, ASKED, ANSWERED = "/robot/heartbeat", "/robot/asked", "/robot/answered"
 PERIODS = {HEART: 0.1, ASKED: 0.5, ANSWERED: 0.5}
 JOINTS = "/robot/joint_positions"
 PATIENCE_S = 10.0
+MOST_RUNS = 3
+"""A node that hangs asks once. If the machine is busy, it may ask before the recorder has discovered its publisher."""
 
 
 def watched(program: object, script: Script, seconds: float, *topics: str, **parameters: object) -> Recording:
@@ -91,16 +93,19 @@ def test_an_answer_needs_a_free_thread_and_a_free_group(
     way: str, group: str, threads: int, server: str, answers: bool
 ) -> None:
     name = f"'{server}'" if " " in server else server
-    recording = record(
-        heart_and_question,
-        PERIODS,
-        seconds=2.2,
-        clock="wall",
-        way=way,
-        group=group,
-        threads=threads,
-        server=name,
-    )
+    for _ in range(MOST_RUNS):
+        recording = record(
+            heart_and_question,
+            PERIODS,
+            seconds=2.2,
+            clock="wall",
+            way=way,
+            group=group,
+            threads=threads,
+            server=name,
+        )
+        if arrivals(recording, ASKED):
+            break
     assert arrivals(recording, ASKED)
     assert (len(arrivals(recording, ANSWERED)) >= 2) is answers
     if way in ("await", "done_callback") and answers:

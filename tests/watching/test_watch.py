@@ -331,14 +331,13 @@ def test_a_program_that_ends_early(watched: Watched) -> None:
 
 
 def test_a_program_that_ends_in_the_middle(watched: Watched) -> None:
-    recording = watched(
-        TWO_TIMERS.replace(
-            "self.level -= 0.5", "self.level -= 0.5\n        if self.level < 99.0: raise SystemExit(3)"
-        )
+    text = TWO_TIMERS.replace(
+        "self.level -= 0.5", "self.level -= 0.5\n        if self.level < 99.0: raise SystemExit(3)"
     )
+    recording = watched(text, plan=replace(PLAN, simulated_seconds=300.0))
     assert (recording.process.ended_by, recording.process.exit) == ("itself", 3)
     assert [arrival.value["data"] for arrival in recording.topic("/battery").arrivals] == [99.5, 99.0]
-    assert recording.watched_s < 7.0
+    assert recording.watched_s < 150.0, "the rest of the plan was left out"
 
 
 def test_a_program_that_cannot_be_read_is_over_at_once(watched: Watched) -> None:
