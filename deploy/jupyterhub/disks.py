@@ -120,7 +120,7 @@ def _mount(image: Path, disk: Path) -> None:
     _run("mount", "-o", OPTIONS if device else f"{OPTIONS},loop", device or str(image), str(disk))
     device = _device(image)
     is_its_own = bool(device) and os.stat(device).st_rdev == disk.stat().st_dev
-    if not is_its_own:  # meanwhile, the device was given to another image
+    if not is_its_own:  # another image got the device after we had looked
         _run("umount", str(disk))
         raise NoDisk(f"{image} changed its loop device; starting the server again helps")
 
