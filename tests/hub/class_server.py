@@ -135,7 +135,8 @@ class ClassServer:
     def groups(self) -> list[Path]:
         """Return the cgroups of the students' servers."""
         prefix = f"{PREFIX}{self.port + 1}-"
-        below = os.walk("/sys/fs/cgroup")  # unlike rglob, it ignores groups that are removed during the search
+        # unlike rglob, os.walk ignores groups that are removed during the search
+        below = os.walk("/sys/fs/cgroup")
         return [Path(top, name) for top, names, _ in below for name in names if name.startswith(prefix)]
 
     def left(self) -> list[object]:
