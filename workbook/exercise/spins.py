@@ -5,6 +5,7 @@ They help explain why a node is silent, but they never cost points: only the rec
 
 import ast
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from typing import Literal
 
 from workbook.recording.recording import SpinSeen
@@ -30,6 +31,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 _DEFINES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
 
+@lru_cache(maxsize=1)  # each phase of judging an answer asks again
 def spins_in(text: str) -> tuple[SpinSeen, ...]:
     """Return the calls that spin in a callback, wait in vain, or keep later lines from running, in this order."""
     try:
@@ -46,6 +48,7 @@ def spins_in_a_callback(text: str) -> bool:
     return any(one.callback and not one.waits for one in spins_in(text))
 
 
+@lru_cache(maxsize=1)
 def repeated_init(text: str) -> int:
     """Return the line (from 1) of an rclpy.init() call in a loop.
 

@@ -142,7 +142,6 @@ class Sandbox:
     info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap says about itself"))
     filter_fd: int = field(default_factory=filter_file)
     _sockets_before: int = 0
-    _queued_before: int = 0
 
     @property
     def descriptors(self) -> list[int]:
@@ -161,7 +160,7 @@ class Sandbox:
     def start(self, order: Order) -> Started:
         """Start the program in its own sandbox, by forking it from the server if possible. Raises OSError."""
         began = time.monotonic()
-        self._sockets_before, self._queued_before = proc.sockets_of_network(), proc.queued_bytes(0)
+        self._sockets_before = proc.sockets_of_network()
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
@@ -243,11 +242,12 @@ class Sandbox:
         return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return how much the unread bytes in our network namespace's sockets have grown since the program was started.
+        """Return the number of unread bytes in our network namespace's sockets (see `proc.queued_bytes`).
 
-        See `proc.queued_bytes`.
+        This process's own sockets count, too, but their buffers are small. Counting them takes milliseconds, too long
+        to do it at each start.
         """
-        return proc.queued_bytes(worth_counting) - self._queued_before
+        return proc.queued_bytes(worth_counting)
 
     def exceeded(self) -> str | None:
         """Return None, because this tier has no memory cgroup."""
