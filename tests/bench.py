@@ -217,7 +217,7 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     yield of_times("%check on a warm slot, until the card shows", times, 0.7)
     yield of_times("  for a wrong rate", [seconds for seconds, _ in wrong], 0.7)
     yield of_times(
-        "  for right answers with several threads", [one for some in threads for one, _ in some], 4.0
+        "  for right answers with several threads", [one for some in threads for one, _ in some], 2.0
     )
     with Observer() as observer, tempfile.TemporaryDirectory() as folder:
         program = Path(folder, f"{STEM}.py")

@@ -94,14 +94,8 @@ class Pool:
 
     @property
     def slots(self) -> int:
-        """Return how many answers work at the same time; up to three times as many while CPUs are idle.
-
-        On the wall clock, answers wait most of the time. On simulated time, many wrong answers go on to the wall clock.
-        Right ones work as long as they have a slot, so half as many are enough.
-        """
-        if not self.on_simulated_time:
-            return 2 * CORES
-        return CORES * (1 if self.soak else SLOTS_PER_CORE["simulated"])
+        """Return how many answers work at the same time: as many as in grading, or up to three times as many."""
+        return CORES * SLOTS_PER_CORE["simulated" if self.on_simulated_time else "wall"]
 
 
 class Proofs:
