@@ -47,6 +47,7 @@ from workbook.recording.recording import Recording
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
 from workbook.watching.observer import Observer
+from workbook.watching.watch import Watch
 
 ROOT = Path(__file__).resolve().parents[1]
 ARTIFACTS = ROOT / "artifacts"
@@ -224,7 +225,7 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
         program.write_text(answer.text, encoding="utf-8")
 
         def on_the_wall_clock() -> None:
-            with observer.watch(ProgramSpec(program), exercise.plan, "wall") as watch:
+            with Watch(observer, ProgramSpec(program), exercise.plan, "wall") as watch:
                 watch.finish(watch.observe())
 
         wall = [timed(on_the_wall_clock) for _ in range(size.wall_runs)]

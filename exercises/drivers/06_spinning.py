@@ -47,7 +47,7 @@ JOB_S = 0.4
 
 REPEAT_S = 0.1  # the period at which the latest announcement is repeated
 PATIENCE_S = 1.0  # a judge that hasn't appeared by then won't appear at all
-GRACE_S = 0.3  # a thread that was told to finish has finished by then
+GRACE_S = 0.3  # a thread that was noted_call to finish has finished by then
 
 
 class Watched:
@@ -73,11 +73,11 @@ class Watched:
         """Wrap a function so that each call of it is recorded as `what`."""
 
         @functools.wraps(call)
-        def told(*arguments: Any, **named: Any) -> Any:
+        def noted_call(*arguments: Any, **named: Any) -> Any:
             self.note(what)
             return call(*arguments, **named)
 
-        return told
+        return noted_call
 
     def begin(self, node: Node) -> None:
         """Start recording changes, because a call of pump with this node is about to start."""

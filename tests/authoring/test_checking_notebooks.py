@@ -20,7 +20,7 @@ from workbook.lesson import about
 Notebook = dict[str, Any]
 
 
-def told(tree: Tree) -> list[str]:
+def problems(tree: Tree) -> list[str]:
     return [str(problem) for problem in check(tree)]
 
 
@@ -42,7 +42,7 @@ def cell(notebook: Notebook, name: str) -> Notebook:
 
 
 def test_a_built_course_has_no_problems(built_once: Tree) -> None:
-    assert told(built_once) == []
+    assert problems(built_once) == []
 
 
 def test_the_command_says_so_and_fails_otherwise(course: Tree, capsys: pytest.CaptureFixture[str]) -> None:
@@ -142,14 +142,14 @@ def unusual_number(notebook: Notebook) -> None:
 )
 def test_a_notebook_that_differs_is_found(course: Tree, edit: Callable[[Notebook], None], says: str) -> None:
     change_notebook(course.notebooks / "21_beeps.ipynb", edit)
-    assert any(words.startswith("notebooks/21_beeps.ipynb: ") and says in words for words in told(course)), (
-        told(course)
-    )
+    assert any(
+        words.startswith("notebooks/21_beeps.ipynb: ") and says in words for words in problems(course)
+    ), problems(course)
 
 
 def test_a_changed_text_makes_its_notebook_stale(course: Tree) -> None:
     change(course.sources / "21_beeps.py", "print(1 / 0.1)", "print(1 / 0.2)")
-    assert told(course) == [
+    assert problems(course) == [
         "notebooks/21_beeps.ipynb: cell change-it-3 differs from the text: run `make notebooks`",
         "notebooks/21_beeps.ipynb: its outputs are older than its text or a lesson node that it runs: "
         "run `make notebooks`",
@@ -158,7 +158,7 @@ def test_a_changed_text_makes_its_notebook_stale(course: Tree) -> None:
 
 def test_a_changed_exercise_makes_its_notebook_stale(course: Tree) -> None:
     change(course.solutions / "21_beeps.py", "# TODO 1: create", "# TODO 1: make")
-    assert told(course) == [
+    assert problems(course) == [
         "exercises/21_beeps.ipynb: cell your-program differs from the text: run `make notebooks`"
     ]
 
@@ -186,14 +186,14 @@ def test_a_file_that_fits_nowhere_is_found(course: Tree, name: str, says: str) -
     path = course.root / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.touch()
-    assert any(says in words for words in told(course)), told(course)
+    assert any(says in words for words in problems(course)), problems(course)
 
 
 @pytest.mark.parametrize("name", [".ipynb_checkpoints", "__pycache__", ".hidden"])
 def test_what_tools_leave_is_ignored(course: Tree, name: str) -> None:
     (course.notebooks / name).mkdir()
     (course.solutions / name).mkdir()
-    assert told(course) == []
+    assert problems(course) == []
 
 
 @pytest.mark.parametrize(
@@ -211,13 +211,13 @@ def test_what_tools_leave_is_ignored(course: Tree, name: str) -> None:
 )
 def test_a_missing_file_is_found(course: Tree, name: str, says: str) -> None:
     (course.root / name).unlink()
-    assert any(says in words for words in told(course)), told(course)
+    assert any(says in words for words in problems(course)), problems(course)
 
 
 def test_what_looks_like_a_link_in_code_is_none(course: Tree) -> None:
     code = "# `class Sends[Taken](Protocol)`\n#\n# ```python\n# nets[0](picture)\n# ```\n#\n"
     change(course.root / "notebooks/sources/21_beeps.py", "# A period of zero", f"{code}# A period of zero")
-    assert not any("leads nowhere" in words for words in told(course)), told(course)
+    assert not any("leads nowhere" in words for words in problems(course)), problems(course)
 
 
 @pytest.mark.parametrize(
@@ -269,25 +269,27 @@ def test_what_looks_like_a_link_in_code_is_none(course: Tree) -> None:
 )
 def test_a_fault_in_a_text_is_found(course: Tree, name: str, old: str, new: str, says: str) -> None:
     change(course.root / name, old, new)
-    assert any(says in words for words in told(course)), told(course)
+    assert any(says in words for words in problems(course)), problems(course)
 
 
 def test_more_than_a_third_ignored_is_too_much(course: Tree) -> None:
     source = course.sources / "21_beeps.py"
     text = source.read_text(encoding="utf-8")
     source.write_text(text.replace("# %%\n", '# %% tags=["nbval-ignore-output"]\n'), encoding="utf-8")
-    assert any("of 11 code cells ignore their output; at most a third may" in words for words in told(course))
+    assert any(
+        "of 11 code cells ignore their output; at most a third may" in words for words in problems(course)
+    )
 
 
 def test_too_few_answers_are_named(course: Tree) -> None:
     for name in ("wrong_name", "no_timer", "six_seconds"):
         (course.wrong_answers / "21_beeps" / f"{name}.py").unlink()
-    assert "tests/wrong_answers/21_beeps: has 4 wrong answers, but needs at least 5" in told(course)
+    assert "tests/wrong_answers/21_beeps: has 4 wrong answers, but needs at least 5" in problems(course)
 
 
 def test_a_criterion_that_does_not_exist_is_named(course: Tree) -> None:
     change(course.wrong_answers / "21_beeps" / "wrong_name.py", "# skips: twice_a_second", "# skips: twice")
-    [words] = told(course)
+    [words] = problems(course)
     assert words.startswith("tests/wrong_answers/21_beeps/wrong_name.py:3: there is no criterion 'twice'")
 
 
@@ -297,7 +299,7 @@ def test_at_least_four_criteria_earn_points(course: Tree) -> None:
         change(path, old, new)
     change(path, "points=1", "points=0")
     change(path, "points=5", "points=6")
-    assert any("3 criteria earn points, but at least 4 must" in words for words in told(course))
+    assert any("3 criteria earn points, but at least 4 must" in words for words in problems(course))
 
 
 def lights(course: Tree) -> Path:
@@ -315,7 +317,7 @@ def lights(course: Tree) -> Path:
 def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> None:
     path = lights(course)
     stale = "the **Before:**, **Deeper:** and **Next:** lines don't match the neighboring lessons: run `make notebooks`"
-    assert [words for words in told(course) if stale in words] == [
+    assert [words for words in problems(course) if stale in words] == [
         f"notebooks/sources/21_beeps.py:185: {stale}",
         f"notebooks/sources/22_lights.py:185: {stale}",
     ]
@@ -347,7 +349,7 @@ def test_you_need_names_earlier_lessons(course: Tree) -> None:
     change(
         course.sources / "21_beeps.py", "**You need:** Python", "**You need:** lesson [21](22_lights.ipynb)"
     )
-    assert any("21_beeps.py:7: 'You need' links to earlier lessons" in words for words in told(course))
+    assert any("21_beeps.py:7: 'You need' links to earlier lessons" in words for words in problems(course))
 
 
 def test_the_table_of_the_readme_and_the_vocabulary_are_generated(course: Tree) -> None:
@@ -358,7 +360,7 @@ def test_the_table_of_the_readme_and_the_vocabulary_are_generated(course: Tree) 
         (course.root / name).write_text(text, encoding="utf-8")
     (course.sources / "planned.toml").write_text('21 = "Written"\n22 = "Lights"\n', encoding="utf-8")
     stale = "is not what lessons and exercises say: run `make notebooks`"
-    assert told(course) == [f"README.md:4: {stale}", f"docs/vocabulary.md:4: {stale}"]
+    assert problems(course) == [f"README.md:4: {stale}", f"docs/vocabulary.md:4: {stale}"]
     write_pages(course)
     assert check(course) == []
     readme = (course.root / "README.md").read_text(encoding="utf-8")
@@ -367,7 +369,7 @@ def test_the_table_of_the_readme_and_the_vocabulary_are_generated(course: Tree) 
     words = (course.root / "docs/vocabulary.md").read_text(encoding="utf-8")
     assert "| `publishes(recording, topic)` | " in words
     (course.root / "README.md").write_text("# Page\n", encoding="utf-8")
-    assert any(words.startswith("README.md: needs the lines '<!-- lessons:") for words in told(course))
+    assert any(words.startswith("README.md: needs the lines '<!-- lessons:") for words in problems(course))
 
 
 def test_each_word_of_the_vocabulary_says_what_it_is() -> None:

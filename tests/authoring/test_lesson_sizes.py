@@ -79,7 +79,7 @@ def course_with(folder: Path, **lessons: str) -> Tree:
     return tree
 
 
-def told(tree: Tree, stem: str = "21_beeps") -> list[str]:
+def violations(tree: Tree, stem: str = "21_beeps") -> list[str]:
     text = (tree.sources / f"{stem}.py").read_text(encoding="utf-8")
     return [said for _, said in size_violations(tree, stem, text, read_lesson(tree, stem))]
 
@@ -124,10 +124,10 @@ def test_code_and_folds_are_no_open_text(tmp_path: Path) -> None:
 
 def test_the_build_puts_minutes_right_and_the_check_names_wrong_ones(tmp_path: Path) -> None:
     tree = course_with(tmp_path, at_21_beeps=LESSON.replace("**Minutes:** 20", "**Minutes:** 55"))
-    assert told(tree) == [f"takes {size_of(read_lesson(tree, '21_beeps')).minutes} minutes "
+    assert violations(tree) == [f"takes {size_of(read_lesson(tree, '21_beeps')).minutes} minutes "
                           "according to its size, but says 55: run `make notebooks`"]  # fmt: skip
     assert write_sizes(tree) == ["21_beeps"]
-    assert told(tree) == []
+    assert violations(tree) == []
     assert write_sizes(tree) == []
 
 
@@ -135,22 +135,22 @@ def test_what_is_too_large_is_named_and_may_only_shrink(tmp_path: Path) -> None:
     long = LESSON.replace("# ## Run it\n", "# ## Run it\n#\n# " + "beep " * 2_500 + "\n", 1)
     tree = course_with(tmp_path, at_21_beeps=long)
     write_sizes(tree)
-    [words_of_it] = told(tree)
+    [words_of_it] = violations(tree)
     assert words_of_it.endswith(
         "open words, but at most 2000 are allowed: cut, or move a part to 21_beeps_deeper"
     )
     assert not (tree.sources / TOO_LARGE).exists()
 
     (tree.sources / TOO_LARGE).write_text('[21_beeps]\n"open words" = 9000\n', encoding="utf-8")
-    assert told(tree) == []
+    assert violations(tree) == []
     write_sizes(tree)
     kept = still_too_large(tree)["21_beeps"]["open words"]
     assert 2_500 < kept < 2_800
-    assert told(tree) == []
+    assert violations(tree) == []
     (tree.sources / "21_beeps.py").write_text(long.replace("# beep ", "# beep beep ", 1), encoding="utf-8")
     write_sizes(tree)
     assert still_too_large(tree)["21_beeps"]["open words"] == kept
-    assert told(tree) == [
+    assert violations(tree) == [
         f"{kept + 1} open words, but at most {kept} are allowed: cut, or move a part to 21_beeps_deeper"
     ]
 
@@ -196,7 +196,7 @@ def test_a_deeper_notebook_without_its_lesson_is_misplaced(tmp_path: Path) -> No
 
 def test_our_own_lessons_keep_to_the_limits() -> None:
     tree = Tree(course_folder())
-    found = {stem: told(tree, stem) for stem in tree.lesson_stems()}
+    found = {stem: violations(tree, stem) for stem in tree.lesson_stems()}
     assert {stem: said for stem, said in found.items() if said} == {}
     assert all(minutes_in((tree.sources / f"{stem}.py").read_text(encoding="utf-8")) for stem in found)
 

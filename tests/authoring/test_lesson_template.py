@@ -22,7 +22,7 @@ def lesson(folder: Path, text: str) -> Tree:
     return tree
 
 
-def told(folder: Path, text: str) -> list[str]:
+def violations(folder: Path, text: str) -> list[str]:
     cells = read_lesson(lesson(folder, text), "21_beeps").cells
     return [words for _, words in shape_violations(cells, 21, has_exercise=True)]
 
@@ -35,7 +35,7 @@ def test_a_violation_names_the_line_of_its_section(tmp_path: Path) -> None:
 
 
 def test_a_whole_lesson_has_no_problems(tmp_path: Path) -> None:
-    assert told(tmp_path, LESSON) == []
+    assert violations(tmp_path, LESSON) == []
 
 
 CASES = [
@@ -79,13 +79,13 @@ CASES = [
     "summary", ["a) <code>10</code> Hz", "a) 2 * 5 Hz, or 10 * 1 Hz", "a) 2*5 Hz and 10*1 Hz"]
 )
 def test_html_and_products_may_stand_in_a_summary(tmp_path: Path, summary: str) -> None:
-    assert told(tmp_path, LESSON.replace("a) 10 Hz</summary>", f"{summary}</summary>", 1)) == []
+    assert violations(tmp_path, LESSON.replace("a) 10 Hz</summary>", f"{summary}</summary>", 1)) == []
 
 
 @pytest.mark.parametrize(("old", "new", "says"), CASES)
 def test_a_fault_is_named(tmp_path: Path, old: str, new: str, says: str) -> None:
     assert old in LESSON
-    found = told(tmp_path, LESSON.replace(old, new, 1))
+    found = violations(tmp_path, LESSON.replace(old, new, 1))
     assert any(says in words for words in found), found
 
 
@@ -95,12 +95,12 @@ def test_the_order_of_sections_counts(tmp_path: Path) -> None:
         .replace("## Look inside", "## Run it")
         .replace("## X", "## Look inside")
     )
-    assert any("must come in this order: Predict, Run it" in words for words in told(tmp_path, text))
+    assert any("must come in this order: Predict, Run it" in words for words in violations(tmp_path, text))
 
 
 def test_headings_inside_code_blocks_are_no_headings(tmp_path: Path) -> None:
     fence = "# ```text\n# ## not a section\n# ### nor an experiment\n# ```\n"
-    assert told(tmp_path, LESSON.replace("# The period is", fence + "# The period is", 1)) == []
+    assert violations(tmp_path, LESSON.replace("# The period is", fence + "# The period is", 1)) == []
 
 
 def test_a_lesson_without_an_exercise_needs_no_link(tmp_path: Path) -> None:

@@ -40,7 +40,7 @@ def table(course: Tree) -> Path:
     return course.requirements / f"{STEM}.toml"
 
 
-def told(tree: Tree) -> list[str]:
+def problems(tree: Tree) -> list[str]:
     """Return what the check reports about tables and exceptions."""
     return [str(one) for one in check(tree) if one.where.startswith(("tests/requirements/", "workbook/"))]
 
@@ -149,13 +149,13 @@ WRONG = 'wrong = ["wrong_name", "wrong_type"]'
 )
 def test_a_fault_of_a_table_is_told_once(course: Tree, old: str, new: str, says: str) -> None:
     change(table(course), old, new)
-    [problem] = told(course)
+    [problem] = problems(course)
     assert problem.startswith(f"{NAME}:{says}")
 
 
 def test_a_criterion_that_no_requirement_names_is_told(course: Tree) -> None:
     change(table(course), 'criteria = ["changes"]', 'criteria = ["in_range"]')
-    assert told(course) == [
+    assert problems(course) == [
         f"{NAME}:28: requirement 'changes': the wrong answer 'always_the_same' loses changes, and none of its "
         "criteria: it belongs to another requirement",
         f"{NAME}: the criterion 'changes' is worth 2 points, and no requirement names it: which sentence of the task "
@@ -178,20 +178,20 @@ def test_a_criterion_that_no_requirement_names_is_told(course: Tree) -> None:
 )
 def test_what_is_no_table_is_told(course: Tree, text: bytes, says: str) -> None:
     table(course).write_bytes(text)
-    [problem] = told(course)
+    [problem] = problems(course)
     assert problem.startswith(says)
 
 
 def test_a_missing_table_is_told(course: Tree) -> None:
     table(course).unlink()
-    [problem] = told(course)
+    [problem] = problems(course)
     assert problem.startswith(f"{NAME}: is missing: write a [[requirement]] for each demand of the task")
     assert list(table_violations(course, STEM, None, without=frozenset({STEM}))) == []
 
 
 def test_a_table_without_an_exercise_fits_nowhere(course: Tree) -> None:
     table(course).with_name("22_lights.toml").touch()
-    assert told(course) == [
+    assert problems(course) == [
         "tests/requirements/22_lights.toml: has no text: solutions/22_lights.py is missing"
     ]
 
@@ -200,7 +200,7 @@ def test_of_an_exercise_that_cannot_be_read_the_form_is_told(course: Tree) -> No
     change(course.criteria / f"{STEM}.py", "import workbook", "import nothing")
     change(table(course), 'id = "rate"', 'id = "topic"')
     change(table(course), '"wrong_name", ', "")
-    assert told(course) == [
+    assert problems(course) == [
         f"{NAME}:10: the id 'topic' is the id of requirement 1 as well: give each its own"
     ]
 
@@ -211,7 +211,7 @@ def test_a_changed_task_asks_for_the_new_sentence(course: Tree) -> None:
         "# | 2 | the temperature changes |",
         "# | 2 | the temperature rises |",
     )
-    assert told(course) == [
+    assert problems(course) == [
         f"{NAME}:26: requirement 'changes': the task does not say 'the temperature changes'; "
         "the nearest is '| 2 | the temperature rises |'"
     ]
@@ -231,7 +231,7 @@ def test_an_exception_that_is_none_is_told(course: Tree, monkeypatch: pytest.Mon
         f"{name}:3: WITHOUT_TABLE names 21_beeps, which has a table now: delete it here",
         f"{name}:2: WITHOUT_TABLE names 30_gone, but there is no such exercise: delete it here",
     ]
-    assert sum(words.startswith(f"{name}:") for words in told(course)) == len(WITHOUT_TABLE)
+    assert sum(words.startswith(f"{name}:") for words in problems(course)) == len(WITHOUT_TABLE)
     table(course).unlink()
     assert list(stale_exceptions(course, frozenset({STEM}))) == []
 
@@ -288,14 +288,14 @@ def test_a_sentence_may_run_over_lines() -> None:
 def test_a_demand_that_no_requirement_quotes_is_told(course: Tree, sentence: str, word: str) -> None:
     story = "# somebody has to know in time."
     change(course.solutions / f"{STEM}.py", story, f"{story} {sentence}")
-    [problem] = told(course)
+    [problem] = problems(course)
     assert problem.startswith(
         f"{NAME}: no requirement quotes the sentence {sentence!r}, which demands something"
     )
     assert f"({word!r})" in problem
     with table(course).open("a", encoding="utf-8") as file:
         file.write(f'\n[[requirement]]\nid = "told"\nsentence = "{sentence[:-1]}"\nnot_judged = "Why."\n')
-    assert told(course) == []
+    assert problems(course) == []
 
 
 @pytest.mark.parametrize(

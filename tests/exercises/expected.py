@@ -19,7 +19,7 @@ def first_lost(judgement: Judgement, expected: Header) -> CriterionResult:
     return next(result for result in costs if result.status in TAKES_POINTS)
 
 
-def told(judgement: Judgement, expected: Header) -> str:
+def feedback_of_first_lost(judgement: Judgement, expected: Header) -> str:
     """Return that criterion's feedback."""
     first = first_lost(judgement, expected)
     return " ".join((first.saw, first.expected, first.because, first.try_this))
@@ -38,7 +38,7 @@ def differences(judgement: Judgement, expected: Header) -> list[str]:
     skipped = {result.id for result in judgement.criteria if result.status == "skipped"}
     if expected.skips is not None and skipped != expected.skips:
         found.append(f"it skips {', '.join(sorted(skipped))}, and not {', '.join(sorted(expected.skips))}")
-    said = told(judgement, expected)
+    said = feedback_of_first_lost(judgement, expected)
     found += [f"{words!r} is not in: {said}" for words in expected.says if words not in said]
     cause = first_lost(judgement, expected).cause
     if cause not in expected.causes:

@@ -55,7 +55,7 @@ def served(
     return [(at, one) for at, one in plans if at < EXERCISE.plan.wall_s]
 
 
-def told(wrong: Callable[[list[Event]], Sequence[Event]], criterion: str) -> set[str]:
+def causes_over_all_draws(wrong: Callable[[list[Event]], Sequence[Event]], criterion: str) -> set[str]:
     """Return the causes that this criterion names, over all draws; "" if it passes."""
     causes = set()
     for seed in range(SEEDS):
@@ -116,7 +116,7 @@ PLANS_RIGHT: dict[str, Callable[[list[Event]], Sequence[Event]]] = {
 
 @pytest.mark.parametrize("cause", PLANS_RIGHT)
 def test_a_wrong_plan_is_told_in_each_draw(cause: str) -> None:
-    assert told(PLANS_RIGHT[cause], "plans_right") == {cause and f"plans-right.{cause}"}
+    assert causes_over_all_draws(PLANS_RIGHT[cause], "plans_right") == {cause and f"plans-right.{cause}"}
 
 
 @pytest.mark.parametrize(
@@ -125,13 +125,13 @@ def test_a_wrong_plan_is_told_in_each_draw(cause: str) -> None:
     ids=["centimeters", "never-so-near"],
 )
 def test_a_plan_for_another_distance_is_told_in_each_draw(measure: Callable[[float], float]) -> None:
-    assert told(sent_as(measure), "plans_right") == {"plans-right.fits-no-request"}
-    assert told(sent_as(measure), "all_in_order") == {""}
+    assert causes_over_all_draws(sent_as(measure), "plans_right") == {"plans-right.fits-no-request"}
+    assert causes_over_all_draws(sent_as(measure), "all_in_order") == {""}
 
 
 @pytest.mark.parametrize("cause", ["degrees", "half", "distance"])
 def test_another_measure_keeps_the_order_in_each_draw(cause: str) -> None:
-    assert told(PLANS_RIGHT[cause], "all_in_order") == {""}
+    assert causes_over_all_draws(PLANS_RIGHT[cause], "all_in_order") == {""}
 
 
 def unless_before(requests: list[Event]) -> list[Event]:
@@ -172,12 +172,12 @@ ALL_IN_ORDER: dict[str, list[Callable[[list[Event]], Sequence[Event]]]] = {
 @pytest.mark.parametrize("cause", ALL_IN_ORDER)
 def test_what_becomes_of_the_requests_is_told_in_each_draw(cause: str) -> None:
     for wrong in ALL_IN_ORDER[cause]:
-        assert told(wrong, "all_in_order") == {cause and f"all-in-order.{cause}"}
+        assert causes_over_all_draws(wrong, "all_in_order") == {cause and f"all-in-order.{cause}"}
 
 
 def test_the_plans_of_one_run_are_wrong_in_each_other() -> None:
     table = served(requested(SEEDS))
-    assert "" not in told(lambda requests: table, "plans_right")
+    assert "" not in causes_over_all_draws(lambda requests: table, "plans_right")
 
 
 def test_an_idle_planner_gets_the_fourth_request_and_the_last_plan_is_there_in_time() -> None:

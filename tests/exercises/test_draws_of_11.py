@@ -33,7 +33,7 @@ def recording_of(said: Sequence[Touch], reports: Sequence[Touch]) -> Recording:
     return replace(recorded(on_topic("/monitor/seen", "std_msgs/msg/Int32", times, numbers)), published=words)
 
 
-def told(wrong: Callable[[list[Touch]], Sequence[Touch]], criterion: str) -> set[str]:
+def causes_over_all_draws(wrong: Callable[[list[Touch]], Sequence[Touch]], criterion: str) -> set[str]:
     """Return the causes that this criterion names, over all draws; "" if it passes."""
     drawn = [touches(seed) for seed in range(SEEDS)]
     return {CRITERIA[criterion](recording_of(said, wrong(said))).cause for said in drawn}
@@ -119,7 +119,7 @@ NONE_MISSED: dict[str, Callable[[list[Touch]], Sequence[Touch]]] = {
 
 @pytest.mark.parametrize("cause", NONE_MISSED)
 def test_what_is_missed_is_told_in_each_draw(cause: str) -> None:
-    assert told(NONE_MISSED[cause], "none_missed") == {cause and f"none-missed.{cause}"}
+    assert causes_over_all_draws(NONE_MISSED[cause], "none_missed") == {cause and f"none-missed.{cause}"}
 
 
 @pytest.mark.parametrize(
@@ -129,7 +129,7 @@ def test_what_is_missed_is_told_in_each_draw(cause: str) -> None:
 def test_a_number_that_came_before_is_told_in_each_draw(
     wrong: Callable[[list[Touch]], Sequence[Touch]],
 ) -> None:
-    assert told(wrong, "none_missed") == {"none-missed.number-known"}
+    assert causes_over_all_draws(wrong, "none_missed") == {"none-missed.number-known"}
 
 
 ONCE_IN_ORDER: dict[str, Callable[[list[Touch]], Sequence[Touch]]] = {
@@ -146,7 +146,9 @@ ONCE_IN_ORDER: dict[str, Callable[[list[Touch]], Sequence[Touch]]] = {
 
 @pytest.mark.parametrize("cause", ONCE_IN_ORDER)
 def test_what_is_reported_besides_is_told_in_each_draw(cause: str) -> None:
-    assert told(ONCE_IN_ORDER[cause], "once_in_order") == {cause and f"once-in-order.{cause}"}
+    assert causes_over_all_draws(ONCE_IN_ORDER[cause], "once_in_order") == {
+        cause and f"once-in-order.{cause}"
+    }
 
 
 QUICK: dict[str, Callable[[list[Touch]], Sequence[Touch]]] = {
@@ -159,7 +161,7 @@ QUICK: dict[str, Callable[[list[Touch]], Sequence[Touch]]] = {
 
 @pytest.mark.parametrize("cause", QUICK)
 def test_how_late_reports_are_is_told_in_each_draw(cause: str) -> None:
-    assert told(QUICK[cause], "quick") == {cause and f"quick.{cause}"}
+    assert causes_over_all_draws(QUICK[cause], "quick") == {cause and f"quick.{cause}"}
 
 
 @pytest.mark.parametrize(("criterion", "cause"), [("none_missed", "no-touch"), ("once_in_order", "no-touch")])
@@ -169,7 +171,7 @@ def test_the_numbers_of_one_run_are_wrong_in_each_other(criterion: str, cause: s
     def from_a_table(said: list[Touch]) -> list[Touch]:
         return [(at, number) for (at, _), number in zip(said, table, strict=True)]
 
-    assert told(from_a_table, criterion) == {f"{criterion.replace('_', '-')}.{cause}"}
+    assert causes_over_all_draws(from_a_table, criterion) == {f"{criterion.replace('_', '-')}.{cause}"}
 
 
 def test_the_watch_ends_when_the_last_reports_have_come() -> None:

@@ -74,7 +74,7 @@ def cause_in(calls: list[Asked], said: Sequence[Report], criterion: str) -> str:
     return CRITERIA[criterion](recording).cause
 
 
-def told(wrong: Reports, criterion: str) -> set[str]:
+def causes_over_all_draws(wrong: Reports, criterion: str) -> set[str]:
     """Return the causes that this criterion names, over all draws; "" if it passes."""
     return {cause_in(calls, wrong(calls), criterion) for calls in map(asked, range(SEEDS))}
 
@@ -161,12 +161,12 @@ RESULTS_TOLD: dict[str, Reports] = {
 
 @pytest.mark.parametrize("cause", RESULTS_TOLD)
 def test_a_wrong_result_is_told_in_each_draw(cause: str) -> None:
-    assert told(RESULTS_TOLD[cause], "results_told") == {cause and f"results-told.{cause}"}
+    assert causes_over_all_draws(RESULTS_TOLD[cause], "results_told") == {cause and f"results-told.{cause}"}
 
 
 def test_a_result_of_something_else_is_told_in_each_draw() -> None:
     slow_is_ok = reports(lambda one: "ok" if one.answered - one.at > 0.5 else one.word)
-    assert told(slow_is_ok, "results_told") == {"results-told.other-result"}
+    assert causes_over_all_draws(slow_is_ok, "results_told") == {"results-told.other-result"}
 
 
 def first_one_only(calls: list[Asked]) -> list[Report]:
@@ -201,7 +201,9 @@ UNANSWERED_TOLD: dict[str, Reports] = {
 
 @pytest.mark.parametrize("cause", UNANSWERED_TOLD)
 def test_what_is_said_of_a_call_without_an_answer_is_told_in_each_draw(cause: str) -> None:
-    assert told(UNANSWERED_TOLD[cause], "unanswered_told") == {cause and f"unanswered-told.{cause}"}
+    assert causes_over_all_draws(UNANSWERED_TOLD[cause], "unanswered_told") == {
+        cause and f"unanswered-told.{cause}"
+    }
 
 
 def test_a_program_stopped_by_the_first_bad_answer_has_called_too_seldom_in_each_draw() -> None:

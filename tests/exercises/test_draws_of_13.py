@@ -275,7 +275,7 @@ def unzipped(pairs: Sequence[tuple[float, object]]) -> tuple[list[float], list[o
     return [at for at, _ in pairs], [value for _, value in pairs]
 
 
-def told(wrong: type[Dashboard]) -> dict[str, set[str]]:
+def causes_over_all_draws(wrong: type[Dashboard]) -> dict[str, set[str]]:
     """Return each failing criterion of status and alarm, with the causes that it names over all draws."""
     runs = [watched(wrong, seed) for seed in range(SEEDS)]
     causes = {criterion: {CRITERIA[criterion](run).cause for run in runs} for criterion in JUDGED_HERE}
@@ -283,7 +283,7 @@ def told(wrong: type[Dashboard]) -> dict[str, set[str]]:
 
 
 def test_a_right_dashboard_passes_in_each_draw() -> None:
-    assert told(Dashboard) == {}
+    assert causes_over_all_draws(Dashboard) == {}
 
 
 STATUS = {
@@ -324,7 +324,7 @@ ALSO: dict[type[Dashboard], set[str]] = {FollowsStatus: {"no_false_alarm"}}
 def test_a_mistake_is_told_in_each_draw(wrong: type[Dashboard]) -> None:
     """The mistake's own criterion names its cause. Criteria that need this criterion are skipped."""
     [(criterion, cause)] = {**STATUS, **ALARM}[wrong].items()
-    causes = told(wrong)
+    causes = causes_over_all_draws(wrong)
     assert causes.pop(criterion) == {cause}
     assert {*causes} - {"status_follows" if wrong in STATUS else "alarm_falls"} == ALSO.get(wrong, set())
 

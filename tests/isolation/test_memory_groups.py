@@ -125,7 +125,7 @@ def second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> PaperKernel:
     return PaperKernel(2, tmp_path, monkeypatch)
 
 
-def told(folder: Path, version: int, path: str, root: str = "/") -> tuple[str, str]:
+def tables_of(folder: Path, version: int, path: str, root: str = "/") -> tuple[str, str]:
     """Write two of the kernel's tables to files, and return their paths."""
     for name, text in zip(("groups", "mounts"), TABLES[version], strict=True):
         (folder / name).write_text(text.format(path=path, root=root, mount=folder))
@@ -136,7 +136,7 @@ def told(folder: Path, version: int, path: str, root: str = "/") -> tuple[str, s
 @pytest.mark.parametrize(("path", "root"), [("/session", "/"), ("/docker/a/session", "/docker/a")])
 def test_the_group_of_this_process_is_found(version: int, path: str, root: str, tmp_path: Path) -> None:
     (tmp_path / "session").mkdir()
-    found = find_hierarchy(*told(tmp_path, version, path, root))
+    found = find_hierarchy(*tables_of(tmp_path, version, path, root))
     assert found == Hierarchy(version, tmp_path, tmp_path / "session")
 
 
@@ -146,7 +146,7 @@ def test_the_group_of_this_process_is_found(version: int, path: str, root: str, 
 def test_a_group_that_cannot_be_seen_is_none(path: str, root: str, tmp_path: Path) -> None:
     (tmp_path / "session").mkdir()
     with pytest.raises(NoMemoryGroups, match="no cgroup that can be seen"):
-        find_hierarchy(*told(tmp_path, 2, path, root))
+        find_hierarchy(*tables_of(tmp_path, 2, path, root))
     with pytest.raises(NoMemoryGroups, match="no cgroup that can be seen"):
         find_hierarchy(str(tmp_path / "none"), str(tmp_path / "none"))
 

@@ -25,6 +25,7 @@ from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment, prepare
 from workbook.watching.observer import Observer
 from workbook.watching.quiescence import Quiescence
+from workbook.watching.watch import Watch
 
 ROOT = Path(__file__).resolve().parents[2]
 NAMES = ("humanoid_status_publisher", "status_monitor", "joint_position_publisher")
@@ -41,7 +42,7 @@ def recorded(observer: Observer, name: str, *topics: str, **parameters: object) 
     """Record a few periods of a lesson node on simulated time (shortest period 1 s, longest 2 s)."""
     plan = Plan(topics=topics, shortest_period=1.0, longest_period=2.0)
     spec = ProgramSpec(ROOT / "lesson_nodes" / f"{name}.py", parameters=parameters)
-    with observer.watch(spec, plan, "simulated") as watch:
+    with Watch(observer, spec, plan, "simulated") as watch:
         recording = watch.observe()
     assert recording.process.ended_by is None, recording.process.log
     return [recording.topic(topic) for topic in topics]

@@ -20,20 +20,21 @@ from workbook.recording.script import Script, publish
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
 from workbook.watching.observer import Observer
+from workbook.watching.watch import Watch
 
 DISTANCE, JOINTS, KEPT = "/robot/distance", "/robot/joint_positions", "/black_box/kept"
 PATIENCE_S = 20.0
 
 
-def told(program: ModuleType, distances: list[float], answer: str, **parameters: object) -> Recording:
+def recording_of(program: ModuleType, distances: list[float], answer: str, **parameters: object) -> Recording:
     """Return what a lesson node publishes for distances that are 0.1 s of simulated time apart."""
     lines = [(0.3 + 0.1 * number, distance) for number, distance in enumerate(distances)]
     plan = Plan(
         (answer,), 0.1, 1.0, simulated_seconds=3.0, script=Script((publish(DISTANCE, Float32, lines),))
     )
     with Observer() as observer:
-        with observer.watch(
-            ProgramSpec(program_file(program), parameters=parameters), plan, "simulated"
+        with Watch(
+            observer, ProgramSpec(program_file(program), parameters=parameters), plan, "simulated"
         ) as watch:
             return watch.finish(watch.observe(), 4.0)
 
@@ -50,7 +51,7 @@ def test_the_sensor_walks_to_the_wall_and_back() -> None:
 
 def test_the_robot_takes_one_posture_for_each_distance() -> None:
     distances = [2.0, 1.2, 0.7, 0.2, 0.0, 2.0]
-    recording = told(careful_robot, distances, JOINTS)
+    recording = recording_of(careful_robot, distances, JOINTS)
     shoulders = [pose[careful_robot.LEFT_SHOULDER] for pose in values(recording, JOINTS)]  # type: ignore[index]
     down, up = careful_robot.ARMS_DOWN_RAD, careful_robot.ARMS_UP_RAD
     assert shoulders == pytest.approx([down, down, (down + up) / 2, up, up, down], abs=1e-5)
@@ -58,7 +59,7 @@ def test_the_robot_takes_one_posture_for_each_distance() -> None:
 
 
 def test_the_black_box_counts_what_it_keeps() -> None:
-    recording = told(black_box, [1.0, 0.9, 0.8, 0.7, 0.6], KEPT)
+    recording = recording_of(black_box, [1.0, 0.9, 0.8, 0.7, 0.6], KEPT)
     counts = values(recording, KEPT)
     assert counts[-1] == 5
     assert counts == sorted(counts, key=str)

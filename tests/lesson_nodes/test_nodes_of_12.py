@@ -13,6 +13,7 @@ from workbook.recording.plan import Plan
 from workbook.recording.recording import CallSeen, Recording
 from workbook.recording.script import Calls, Script, calls
 from workbook.watching.observer import Observer
+from workbook.watching.watch import Watch
 
 HEART, ASKED, ANSWERED = "/robot/heartbeat", "/robot/asked", "/robot/answered"
 PERIODS = {HEART: 0.1, ASKED: 0.5, ANSWERED: 0.5}
@@ -26,7 +27,7 @@ def watched(program: object, script: Script, seconds: float, *topics: str, **par
     """Return what a lesson node does, and how it ends on Ctrl-C."""
     plan = Plan(topics, 0.05, 1.0, wall_seconds=seconds, script=script)
     spec = ProgramSpec(Path(str(program.__file__)), parameters=parameters)  # type: ignore[attr-defined]
-    with Observer() as observer, observer.watch(spec, plan, "wall") as watch:
+    with Observer() as observer, Watch(observer, spec, plan, "wall") as watch:
         return watch.finish(watch.observe(), PATIENCE_S)
 
 

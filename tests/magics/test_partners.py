@@ -60,7 +60,7 @@ def answer(kernel: Kernel, stem: str, text: str = "") -> None:
     kernel.good(f"%%answer {stem}\n{text or source.solution_code}")
 
 
-def told(watcher: Watcher, effect: str) -> list[Any]:
+def reported(watcher: Watcher, effect: str) -> list[Any]:
     """Return the values of an effect that were reported so far, without the ends of effects."""
     values = (one[effect] for one in list(watcher.told) if one["kind"] == "robot" and effect in one)
     return [value for value in values if value is not None and value is not False]
@@ -68,7 +68,7 @@ def told(watcher: Watcher, effect: str) -> list[Any]:
 
 def wait_for(watcher: Watcher, *effects: str, fits: Callable[[Any], bool] = lambda value: True) -> None:
     """Wait until each of the effects was reported with a matching value."""
-    watcher.wait("robot", lambda _: all(any(map(fits, told(watcher, effect))) for effect in effects))
+    watcher.wait("robot", lambda _: all(any(map(fits, reported(watcher, effect))) for effect in effects))
 
 
 def below(kernel: Kernel, stem: str) -> set[int]:
@@ -112,7 +112,7 @@ def test_the_guard_parks_its_arms_if_its_program_says_so(kernel: Kernel, watcher
         wait_for(watcher, "walk", fits=lambda speed: speed[0] > 0)
         assert kernel.good("%stop").text == f"Stopped {GUARD}.\n"
         wait_for(watcher, "pose")
-        elbow = told(watcher, "pose")[-1][3]
+        elbow = reported(watcher, "pose")[-1][3]
         assert (elbow < -1.0) is folded, "folded arms have bent elbows, and a frozen robot has its arms up"
 
 
@@ -122,7 +122,7 @@ def test_only_the_monitor_moves_the_gauge(kernel: Kernel, watcher: Watcher) -> N
     wait_for(watcher, "alert")
     watcher.told.clear()
     wait_for(watcher, "alert")
-    assert all(0.0 <= charge <= 100.0 for charge in told(watcher, "battery"))
+    assert all(0.0 <= charge <= 100.0 for charge in reported(watcher, "battery"))
 
 
 @pytest.mark.slow
@@ -134,7 +134,7 @@ def test_in_the_end_the_robot_of_16_lies_on_the_ground_and_reports_it(
     kernel.good("%start")
     wait_for(watcher, "tilt", fits=lambda angle: 1.2 < angle < 1.5)  # a push
     wait_for(watcher, "face", fits=lambda face: face == "error")
-    assert told(watcher, "face")[0] == "operational"
+    assert reported(watcher, "face")[0] == "operational"
     wait_for(watcher, "boxes", fits=lambda boxes: {label for label, *_ in boxes} >= {"ball", "cup", "plate"})
 
 

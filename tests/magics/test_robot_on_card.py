@@ -42,7 +42,7 @@ def recorded(*topics: TopicRecording, **more: Any) -> Recording:
     return Recording(clock="simulated", domain_id=1, topics={one.name: one for one in topics}, **more)
 
 
-def told(recording: Recording, effect: str) -> list[tuple[int, object]]:
+def replayed(recording: Recording, effect: str) -> list[tuple[int, object]]:
     events: Any = replay_of(recording)["events"]
     return [(moment, news[effect]) for moment, news in events if effect in news]
 
@@ -51,7 +51,7 @@ def test_the_heart_beats_as_it_was_written() -> None:
     beats = [0.5, 0.8, 2.0, 2.3]
     topic = said("/robot/heartbeat", TEXT, ["beat"] * len(beats))
     arrivals = tuple(replace(one, t=t) for one, t in zip(topic.arrivals, beats, strict=True))
-    assert told(recorded(replace(topic, arrivals=arrivals)), "beat") == [
+    assert replayed(recorded(replace(topic, arrivals=arrivals)), "beat") == [
         (0, 1),
         (300, 1),
         (1500, 1),
@@ -62,7 +62,7 @@ def test_the_heart_beats_as_it_was_written() -> None:
 def test_poses_come_at_their_time_and_the_robot_takes_them_slowly_where_they_are_rare() -> None:
     poses = [list(CHEER), list(SQUAT)] * 2
     rare = recorded(said("/robot/joint_positions", NUMBERS, poses, period=2.0))
-    assert told(rare, "pose") == list(zip((0, 2000, 4000, 6000), poses, strict=True))
+    assert replayed(rare, "pose") == list(zip((0, 2000, 4000, 6000), poses, strict=True))
     often = recorded(said("/robot/joint_positions", NUMBERS, poses, period=0.1))
     assert replay_of(often)["glide"] < replay_of(rare)["glide"]  # type: ignore[operator]
 
@@ -82,7 +82,7 @@ def test_the_replay_shows_where_most_happens_with_what_held_before() -> None:
     replay: Any = replay_of(recorded(battery, status))
     start, news = replay["events"][0]
     assert (start, news["battery"], news["face"], news["awake"]) == (0, 50.0, "operational", True)
-    assert told(recorded(battery, status), "face")[1] == (1000, "error")
+    assert replayed(recorded(battery, status), "face")[1] == (1000, "error")
 
 
 def test_what_the_judge_sends_moves_the_robot_unless_the_program_moves_the_same_part() -> None:
@@ -90,15 +90,15 @@ def test_what_the_judge_sends_moves_the_robot_unless_the_program_moves_the_same_
     script = tuple(Published("/robot/battery", float(at), 0.0, {"data": 80.0 - at}) for at in range(3))
     alarm = said("/monitor/alarm", TEXT, ["low"])
     heard = TopicRecording("/robot/battery", subscribers=(listens,))
-    assert [charge for _, charge in told(recorded(alarm, heard, published=script), "battery")] == [
+    assert [charge for _, charge in replayed(recorded(alarm, heard, published=script), "battery")] == [
         80.0,
         79.0,
         78.0,
     ]
     deaf = recorded(alarm, TopicRecording("/robot/battery"), published=script)
-    assert told(deaf, "battery") == []
+    assert replayed(deaf, "battery") == []
     own = said("/monitor/battery", NUMBER, [10.0])
-    assert [charge for _, charge in told(recorded(own, heard, published=script), "battery")] == [10.0]
+    assert [charge for _, charge in replayed(recorded(own, heard, published=script), "battery")] == [10.0]
 
 
 def test_the_robot_nods_or_shakes_its_head_at_a_response_and_thinks_of_a_plan() -> None:
@@ -111,9 +111,9 @@ def test_the_robot_nods_or_shakes_its_head_at_a_response_and_thinks_of_a_plan() 
     recording = recorded(
         said("/robot/plan", NUMBER, [1.0, 2.0]), calls=(*calls, unanswered), services=offered
     )
-    assert told(recording, "nod") == [(1500, 1)]
-    assert told(recording, "shake") == [(2500, 1)]
-    assert told(recording, "thought") == [(0, 1), (1000, 1)]
+    assert replayed(recording, "nod") == [(1500, 1)]
+    assert replayed(recording, "shake") == [(2500, 1)]
+    assert replayed(recording, "thought") == [(0, 1), (1000, 1)]
 
 
 @pytest.mark.parametrize("value", [[1.0] * 11, ["NaN"] * 12, 7, "up", None, {"length": 9, "first": []}])
@@ -126,8 +126,8 @@ def test_the_robot_waves_where_nothing_would_move_it(value: object) -> None:
 def test_plumbing_moves_nothing_and_fills_no_line() -> None:
     plumbing = said("/driver/heartbeat", TEXT, ["x" * 50] * 3)
     status = said("/robot/status", TEXT, ["operational"])
-    assert told(recorded(plumbing, status), "beat") == []
-    assert [words for _, words in told(recorded(plumbing, status), "words")] == ["status: operational"]
+    assert replayed(recorded(plumbing, status), "beat") == []
+    assert [words for _, words in replayed(recorded(plumbing, status), "words")] == ["status: operational"]
 
 
 @pytest.mark.parametrize("path", SOLUTIONS, ids=lambda path: path.parent.name)

@@ -113,12 +113,12 @@ def test_the_best_version_and_the_starter_come_back_onto_the_screen(kernel: Kern
 # --- messages, and what is saved --------------------------------------------------------------------------------------
 
 
-def told(answers: object) -> dict[str, object]:
+def request_with(answers: object) -> dict[str, object]:
     return {"metadata": {"workbook": {"answers": answers}}}
 
 
 def test_the_last_answer_cell_of_an_exercise_counts() -> None:
-    request = told(
+    request = request_with(
         ["%%answer 9\none", "\n%%answer joint_positions --check\ntwo", "%%answer 05_timers\nthree", 7]
     )
     assert answer_on_screen(request, STEM) == "two"
@@ -145,7 +145,15 @@ def test_where_the_page_draws_robots_the_kernel_sends_poses(kernel: Kernel, robo
 
 
 @pytest.mark.parametrize(
-    "request_", [{}, {"metadata": {}}, {"metadata": {"workbook": 3}}, told("%%answer 9"), told(None), None]
+    "request_",
+    [
+        {},
+        {"metadata": {}},
+        {"metadata": {"workbook": 3}},
+        request_with("%%answer 9"),
+        request_with(None),
+        None,
+    ],
 )
 def test_a_front_end_that_does_not_tell(request_: object) -> None:
     assert answers_on_screen(request_) is None

@@ -18,6 +18,7 @@ from workbook.recording.plan import BYTES_PER_TOPIC
 from workbook.recording.recording import Arrival, Recording
 from workbook.watching.message_quota import MessageQuota
 from workbook.watching.observer import Observer
+from workbook.watching.watch import Watch
 from workbook.watching.watched_topic import WatchedTopic, finished
 
 WATCH_S = 10.0
@@ -105,7 +106,7 @@ def test_a_camera_of_ten_seconds_fits(tmp_path: Path) -> None:
     plan = plan_for([CAMERA_TOPIC], watching(wall_seconds=WATCH_S))
     with (
         Observer() as observer,
-        observer.watch(ProgramSpec(write(tmp_path, CAMERA)), plan, "wall") as watch,
+        Watch(observer, ProgramSpec(write(tmp_path, CAMERA)), plan, "wall") as watch,
     ):
         before = resident_bytes(os.getpid())
         watch.observe()

@@ -13,6 +13,7 @@ from workbook.recording.recording import Recording, TopicRecording
 from workbook.recording.script import Script, publish
 from workbook.watching.message_quota import MessageQuota
 from workbook.watching.observer import Observer
+from workbook.watching.watch import Watch
 from workbook.watching.watched_topic import MOST_NOTED, WatchedTopic, finished
 
 END_S = 10_000.0
@@ -129,7 +130,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Recording:
     lines = [(0.1 * number, {"data": [0.25] * 3000}) for number in range(1, 6)]
     script = Script((publish("/heard", Float32MultiArray, lines, awaited=False),))
     plan = Plan(("/judged", "/heard"), 0.1, 0.1, wall_seconds=4.0, script=script, bytes_per_topic=20_000)
-    with Observer() as observer, observer.watch(ProgramSpec(program), plan, "wall") as watch:
+    with Observer() as observer, Watch(observer, ProgramSpec(program), plan, "wall") as watch:
         return watch.observe()
 
 

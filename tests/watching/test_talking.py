@@ -24,6 +24,7 @@ from workbook.ros.environment import LOOPBACK_PROFILE, profile_with_default_time
 from workbook.watching.observer import Observer
 from workbook.watching.recorder import Recorder
 from workbook.watching.script_player import SERVED_EVERY_S, ScriptPlayer
+from workbook.watching.watch import Watch
 
 HEAD = """
 import rclpy
@@ -80,7 +81,7 @@ def watch(
     if driver is not None:
         file = folder / "driver.py"
         file.write_text(driver)
-    with observer.watch(ProgramSpec(program, driver=file), plan, clock) as one:
+    with Watch(observer, ProgramSpec(program, driver=file), plan, clock) as one:
         return one.finish(one.observe(), 4.0, look_who_stays=True)
 
 

@@ -15,6 +15,7 @@ from workbook.ros.domains import lease_domain
 from workbook.watching.following import intervals_of, rates_differ
 from workbook.watching.observer import Observer
 from workbook.watching.recorder import Recorder
+from workbook.watching.watch import Watch
 
 TOPICS = ("/battery", "/status")
 PLAN = Plan(TOPICS, shortest_period=0.5, longest_period=1.0, paced=TOPICS)
@@ -113,7 +114,7 @@ Watched = Callable[..., Recording]
 @pytest.fixture
 def watched(observer: Observer, tmp_path: Path) -> Watched:
     def watch_it(text: str, clock: str = "simulated", plan: Plan = PLAN) -> Recording:
-        with observer.watch(ProgramSpec(write(tmp_path, text)), plan, clock) as watch:  # type: ignore[arg-type]
+        with Watch(observer, ProgramSpec(write(tmp_path, text)), plan, clock) as watch:  # type: ignore[arg-type]
             return watch.finish(watch.observe())
 
     return watch_it
@@ -317,7 +318,7 @@ def test_in_real_time_rates_are_compared_within_a_factor(watched: Watched) -> No
 
 def test_a_watch_on_the_wall_clock_ends_early_when_it_is_enough(observer: Observer, tmp_path: Path) -> None:
     plan = replace(PLAN, wall_seconds=3600.0)
-    with observer.watch(ProgramSpec(write(tmp_path, TWO_TIMERS)), plan, "wall") as watch:
+    with Watch(observer, ProgramSpec(write(tmp_path, TWO_TIMERS)), plan, "wall") as watch:
         assert watch.observe(lambda: True).watched_s < 60.0
 
 
@@ -420,7 +421,7 @@ def test_a_loop_without_end_is_not(watched: Watched, monkeypatch: pytest.MonkeyP
 
 
 def test_keep_watching_ends_early_when_it_is_enough(observer: Observer, tmp_path: Path) -> None:
-    with observer.watch(ProgramSpec(write(tmp_path, TWO_TIMERS)), PLAN, "wall") as watch:
+    with Watch(observer, ProgramSpec(write(tmp_path, TWO_TIMERS)), PLAN, "wall") as watch:
         recording = watch.observe()
         asked: list[bool] = []
 
@@ -440,7 +441,7 @@ def test_keep_watching_ends_with_the_program(observer: Observer, tmp_path: Path)
     text = TWO_TIMERS.replace(
         "self.level -= 0.5", "self.level -= 0.5\n        if self.level < 95.0: raise SystemExit(0)"
     )
-    with observer.watch(ProgramSpec(write(tmp_path, text)), PLAN, "wall") as watch:
+    with Watch(observer, ProgramSpec(write(tmp_path, text)), PLAN, "wall") as watch:
         recording = watch.observe()
         assert recording.process.ended_by is None
         watch.keep_watching(3600.0)
@@ -456,7 +457,7 @@ def test_a_killed_program_sends_the_observer_to_another_domain(
     )
     with Observer() as observer:
         before = observer.domain_id
-        with observer.watch(ProgramSpec(write(tmp_path, stubborn)), PLAN, "simulated") as watch:
+        with Watch(observer, ProgramSpec(write(tmp_path, stubborn)), PLAN, "simulated") as watch:
             recording = watch.finish(watch.observe())
         assert recording.process.signal == "SIGKILL"
         assert observer.domain_id != before
@@ -470,7 +471,7 @@ def test_two_observers_at_once_do_not_hear_each_other(tmp_path: Path) -> None:
 
     def watch_alone(name: str) -> None:
         program = write(tmp_path, TWO_TIMERS.replace("humanoid", name), f"{name}.py")
-        with Observer() as observer, observer.watch(ProgramSpec(program), PLAN, "simulated") as watch:
+        with Observer() as observer, Watch(observer, ProgramSpec(program), PLAN, "simulated") as watch:
             meeting.wait(60.0)
             found[name] = watch.finish(watch.observe())
 

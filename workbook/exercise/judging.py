@@ -18,6 +18,7 @@ from workbook.recording.limits import NO_LIMITS, Limits
 from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.typechecking.typecheck import TypeCheckFailed, type_check
 from workbook.watching.observer import Observer
+from workbook.watching.watch import Watch
 
 SEED_BITS = 32
 
@@ -77,7 +78,7 @@ class Judge:
         after: JudgingPhase | Judgement = phase
         while not isinstance(after, Judgement):
             spec, plan, clock = after.watched()
-            with self._observer.watch(spec, plan, clock, process) as watch:
+            with Watch(self._observer, spec, plan, clock, process) as watch:
                 after = after.follow(watch)
             process = None  # the next phase starts the program again
         return after

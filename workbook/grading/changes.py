@@ -31,7 +31,7 @@ class Override:
         """The student, exercise, and criterion. For each key, only the last change counts."""
         return self.student, self.exercise, self.criterion
 
-    def told(self) -> str:
+    def description(self) -> str:
         """Describe the change to the student in a sentence."""
         before = "not graded" if self.before is None else f"{self.before:g}"
         points = 0.0 if self.points is None else self.points

@@ -117,7 +117,7 @@ def _isolation(rows: Sequence[Result]) -> str:
 
 def _judged_by(rows: Sequence[Result]) -> str:
     """Return a sentence about the versions that judged the answers, with counts if there are several."""
-    versions = Counter(row.versions.told() for row in rows).most_common()
+    versions = Counter(row.versions.description() for row in rows).most_common()
     if len(versions) < 2:
         return "".join(f"Judged by {one}." for one, _ in versions)
     return f"Judged by {'; '.join(f'{one} ({count})' for one, count in versions)}."

@@ -70,7 +70,7 @@ def gradescope(result: Result) -> str:
                 "score": one.points,
                 "max_score": one.max_points,
                 "status": "passed" if one.status == "passed" else "failed",
-                "output": "\n".join(one.told()),
+                "output": "\n".join(one.feedback()),
                 "output_format": "text",
                 "visibility": "hidden" if one.hidden else "visible",
             }
@@ -85,7 +85,7 @@ def gradescope(result: Result) -> str:
             "status": result.status,
             "clock": result.clock,
             "isolation": result.isolation,
-            "judged_by": result.versions.told(),
+            "judged_by": result.versions.description(),
         },
         "tests": tests,
     }

@@ -308,7 +308,7 @@ class _Distribution(Generic[Key]):
 
     def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], soak: bool) -> None:
         self._farm = farm
-        self._thorough = soak
+        self._soak = soak
         self._waiting = deque(_Task(job) for job in jobs)
         self._suspects: deque[_Task[Key]] = deque()
         self._sent: dict[str, _Sent[Key]] = {}
@@ -378,7 +378,7 @@ class _Distribution(Generic[Key]):
             one.future.cancel()
 
     def _send(self, task: _Task[Key], machine: _Machine) -> None:
-        future = self._farm.send(task.job, self._thorough, machine)
+        future = self._farm.send(task.job, self._soak, machine)
         machine.under_way.add(future.key)
         machine.alone = task.losses > 0
         self._sent[future.key] = _Sent(task, machine, future)

@@ -85,7 +85,7 @@ def encoded(result: Mapping[str, Any]) -> str:
 
 
 def _judged(criterion: Criterion, one: CriterionLine) -> dict[str, Any]:
-    told = "" if criterion.hidden else "\n".join(one.told())
+    told = "" if criterion.hidden else "\n".join(one.feedback())
     return _one(criterion, "pass" if one.status == "passed" else "fail", one.points, told)
 
 

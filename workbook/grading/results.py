@@ -39,7 +39,7 @@ class CriterionLine:
         """Whether the criterion failed completely or in part."""
         return self.status in ("failed", "partial")
 
-    def told(self) -> list[str]:
+    def feedback(self) -> list[str]:
         """Return the criterion's feedback, one line per part: saw, expected, because, try."""
         lines = (("expected", self.expected), ("because", self.because), ("try", self.try_this))
         told = [f"saw: {self.saw}", *(f"{word}: {text}" for word, text in lines if text)]
@@ -68,7 +68,7 @@ class Versions:
     python: str = ""
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
-    def told(self) -> str:
+    def description(self) -> str:
         """Return a short description of the versions, with the beginning of the criteria's hash."""
         return f"workbook {self.workbook}, criteria {self.criteria[:12]}, rclpy {self.rclpy}"
 
@@ -147,7 +147,7 @@ class Result:
 
     def changed_by_hand(self) -> str:
         """Describe the changes that a person made to the result, with the reasons, or return "" if there are none."""
-        return " ".join(one.told() for one in self.by_hand)
+        return " ".join(one.description() for one in self.by_hand)
 
     def tried_twice(self) -> str:
         """Describe the results of all tries in a few sentences, or return "" if the answer was judged only once."""

@@ -17,7 +17,7 @@ def request() -> dict[str, Any]:
     return found
 
 
-def told() -> dict[str, Any]:
+def front_end_data() -> dict[str, Any]:
     """Return the data that our front end sent with the running cell, or an empty dictionary with other front ends."""
     found = request().get("metadata", {}).get("workbook")
     return found if isinstance(found, dict) else {}
@@ -28,7 +28,7 @@ def asked() -> dict[str, Any] | None:
 
     The keys are `name` and, after a click, `choice`.
     """
-    found = told().get("prediction")
+    found = front_end_data().get("prediction")
     return found if isinstance(found, dict) else None
 
 
@@ -38,6 +38,6 @@ def show_prediction(name: str, choice: str | None, words: str, outcome: str | No
     `outcome`: None until the reader has seen the outcome.
     """
     payloads = getattr(get_ipython(), "payload_manager", None)
-    if payloads is not None and told():
+    if payloads is not None and front_end_data():
         state = {"name": name, "choice": choice, "words": words, "outcome": outcome}
         payloads.write_payload({"source": PREDICTION_PAYLOAD, **state}, single=False)

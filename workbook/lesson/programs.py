@@ -21,6 +21,7 @@ from workbook.recording.recording import Clock, ProcessRecord, Recording
 from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.watching.observer import Observer
 from workbook.watching.quiescence import Quiescence
+from workbook.watching.watch import Watch
 
 Program = ModuleType | Path | str
 POLL_S = 0.02
@@ -125,7 +126,7 @@ def record(
         wall_seconds=seconds,
     )
     with Observer() as observer:
-        with observer.watch(ProgramSpec(program_file(program), parameters=parameters), plan, clock) as watch:
+        with Watch(observer, ProgramSpec(program_file(program), parameters=parameters), plan, clock) as watch:
             return watch.finish(watch.observe())
 
 

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 from IPython.core.getipython import get_ipython
 from IPython.display import DisplayHandle, display
 
-from workbook.lesson.front_end import request, told
+from workbook.lesson.front_end import front_end_data, request
 
 ROBOT = "application/vnd.rclpy-workbook.robot+json"
 GLIDES = 4
@@ -42,7 +42,7 @@ def kernel_id() -> str | None:
 
 def draws_robots() -> bool:
     """Return whether the front end that runs this cell draws the robot itself."""
-    return told().get("robot") is True
+    return front_end_data().get("robot") is True
 
 
 class RobotInCell:

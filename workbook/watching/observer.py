@@ -1,20 +1,15 @@
-"""Watch programs, one after another, on a leased ROS domain."""
+"""Lease a ROS domain on which programs are watched, one after another."""
 
 from collections.abc import Container
 
-from workbook.programs.process import NodeProcess
-from workbook.programs.spec import ProgramSpec
 from workbook.programs.tier import Tier
-from workbook.recording.plan import Plan
-from workbook.recording.recording import Clock
 from workbook.ros.domains import DomainLease, NoDomainFree, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 from workbook.watching.recorder import OnTake
-from workbook.watching.watch import Watch
 
 
 class Observer:
-    """Leases a domain, and watches programs on it, one after another.
+    """Leases a domain on which programs are watched, one after another (see `workbook.watching.watch`).
 
     `tier`: the isolation tier of the programs, or None for no isolation. `on_take`: the function to call whenever
     messages have been taken, or None. Each grading slot has one observer. After a program was killed, the observer
@@ -69,11 +64,3 @@ class Observer:
 
     def __exit__(self, *_: object) -> None:
         self.close()
-
-    def watch(self, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None = None) -> Watch:
-        """Start a program and return the watch of it, which is a context manager.
-
-        `process`: the program's process, if it's already running on this domain. Raises OSError if the program can't be
-        started.
-        """
-        return Watch(self, spec, plan, clock, process)

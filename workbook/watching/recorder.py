@@ -90,7 +90,7 @@ class Recorder:
         self._services: dict[tuple[str, str], ServiceSeen] = {}
         self._clients: dict[tuple[str, str], ServiceSeen] = {}
 
-    def robot_now(self) -> float:
+    def simulated_now(self) -> float:
         """Return the current simulated time (s)."""
         return self._simulated_time(time.monotonic())
 
@@ -183,7 +183,7 @@ class Recorder:
         self._subscribe(watched)
         if watched.matched_at is None and watched.subscription is not None:
             if watched.subscription.get_publisher_count() > 0:
-                watched.matched_at = self.robot_now()
+                watched.matched_at = self.simulated_now()
                 new = True
         return new
 
@@ -207,7 +207,7 @@ class Recorder:
 
     def _update_publishers(self, watched: WatchedTopic) -> bool:
         present: set[bytes] = set()
-        now = self.robot_now()
+        now = self.simulated_now()
         new = False
         for info in self._node.get_publishers_info_by_topic(watched.name):
             gid = gid_of(info)

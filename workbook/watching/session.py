@@ -4,7 +4,6 @@ import secrets
 import time
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Protocol
 
 import rclpy
 from rclpy.context import Context
@@ -12,35 +11,16 @@ from rclpy.node import Node
 
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.tier import Tier
 from workbook.recording.plan import Plan
 from workbook.ros.environment import profile_with_lease
 from workbook.watching.clock import SimulatedClock
+from workbook.watching.observer import Observer
 from workbook.watching.quiescence import Quiescence
-from workbook.watching.recorder import OnTake, Recorder
+from workbook.watching.recorder import Recorder
 from workbook.watching.script_player import ScriptPlayer
 
 REMEMBERED_S = 20
 """The liveliness lease (s) if we judge whether nodes leave the graph: how long the graph keeps a vanished program."""
-
-
-class Place(Protocol):
-    """The parts of `workbook.watching.observer.Observer` that a watch uses."""
-
-    @property
-    def domain_id(self) -> int:
-        """The domain on which the next program runs."""
-
-    @property
-    def tier(self) -> Tier | None:
-        """The isolation tier in which the program runs, or None for no isolation."""
-
-    @property
-    def on_take(self) -> OnTake | None:
-        """The function to call whenever messages have been taken, or None."""
-
-    def move(self) -> None:
-        """Switch to another domain for the programs that follow."""
 
 
 @dataclass
@@ -61,7 +41,7 @@ class Session:
     the wall clock, the real time (`time.monotonic`, s) that counts as simulated time zero.
     """
 
-    place: Place
+    observer: Observer
     plan: Plan
     context: Context
     node: Node
@@ -86,7 +66,7 @@ class Session:
             rclpy.shutdown(context=self.context)
 
 
-def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProcess | None) -> Session:
+def open_session(observer: Observer, spec: ProgramSpec, plan: Plan, process: NodeProcess | None) -> Session:
     """Create the judge's node, and start the program unless it's already running as `process`.
 
     Raises OSError if the program can't be started.
@@ -95,7 +75,7 @@ def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProce
     rclpy.init(
         context=context,
         args=["--ros-args", "--disable-external-lib-logs"],
-        domain_id=place.domain_id,
+        domain_id=observer.domain_id,
         signal_handler_options=rclpy.signals.SignalHandlerOptions.NO,
     )
     node = Node(
@@ -105,12 +85,12 @@ def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProce
         start_parameter_services=False,
         use_global_arguments=False,
     )
-    session = Session(place, plan, context, node)
+    session = Session(observer, plan, context, node)
     session.script_player = ScriptPlayer(node, plan.script, session.simulated_time)
     if process is None:
         profile = partial(profile_with_lease, lease_s=REMEMBERED_S) if plan.to_the_end else None
         try:
-            process = NodeProcess(spec, place.domain_id, place.tier, write_profile=profile)
+            process = NodeProcess(spec, observer.domain_id, observer.tier, write_profile=profile)
         except OSError:
             session.close()
             raise
@@ -125,6 +105,6 @@ def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProce
         bytes_per_topic=plan.bytes_per_topic,
         own_bytes=session.script_player.bytes_by_topic(),
         features=plan.features,
-        on_take=place.on_take,
+        on_take=observer.on_take,
     )
     return session

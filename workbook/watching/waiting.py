@@ -48,7 +48,7 @@ def wait_for_first_sign(session: Session) -> bool:
             at_work = now
         if time.monotonic() > look_elsewhere:
             used = process.domains_used()
-            if used and session.place.domain_id not in used:
+            if used and session.observer.domain_id not in used:
                 return False
             look_elsewhere += 1.0
         if recorder.look() and node_since is None and recorder.nodes():

@@ -10,8 +10,9 @@ from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, Recording, Stretch
 from workbook.watching.clock import SimulatedClock
+from workbook.watching.observer import Observer
 from workbook.watching.parameter_services import USE_SIM_TIME
-from workbook.watching.session import Place, open_session
+from workbook.watching.session import open_session
 from workbook.watching.simulated_time import SimulatedRun
 from workbook.watching.switching import ANSWERS_WITHIN_S, TimeSwitch
 from workbook.watching.waiting import let_it_match_us, wait_for_first_sign, wait_for_matches
@@ -34,12 +35,20 @@ class Watch:
     The program is started as its author would start it. With the "simulated" clock, the program is switched to
     simulated time once its nodes are spinning, or watched on the wall clock if that's impossible. `keep_watching`
     extends the watch of a program that was observed on the wall clock.
+
+    `process`: the program's process, if it's already running on the observer's domain. Raises OSError if the program
+    can't be started.
     """
 
     def __init__(
-        self, place: Place, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None = None
+        self,
+        observer: Observer,
+        spec: ProgramSpec,
+        plan: Plan,
+        clock: Clock,
+        process: NodeProcess | None = None,
     ) -> None:
-        self._session = open_session(place, spec, plan, process)
+        self._session = open_session(observer, spec, plan, process)
         self._plan = plan
         from_start = bool(spec.parameters.get(USE_SIM_TIME))
         self._switch = TimeSwitch(self._session, from_start=from_start) if clock == "simulated" else None
@@ -150,7 +159,7 @@ class Watch:
         follows = self._simulated and not self._outpaced if asked else None
         return Recording(
             clock="simulated" if self._simulated else "wall",
-            domain_id=self._session.place.domain_id,
+            domain_id=self._session.observer.domain_id,
             stretches=self._stretches,
             watched_s=round(end, 6),
             wall_s=round(time.monotonic() - self._process.started_at, 4),
@@ -199,7 +208,7 @@ class Watch:
             nodes = self._recorder.nodes()
             if any(node.stayed for node in nodes):  # the next program must not discover these nodes
                 self._session.close()
-                self._session.place.move()
+                self._session.observer.move()
         else:
             nodes = tuple(replace(node, stayed=True) for node in recording.nodes)
         return replace(recording, process=self._process.record(), nodes=nodes)
@@ -216,7 +225,7 @@ class Watch:
             self._process.stop(patience_s, self._switch.keep_time)
         if self._process.killed and not was_killed:
             self._session.close()
-            self._session.place.move()
+            self._session.observer.move()
 
     def __enter__(self) -> "Watch":
         return self

@@ -64,21 +64,21 @@ _MISFITS = [
 ]
 
 
-def unknown_field(told: str) -> tuple[str, str] | None:
+def unknown_field(excerpt: str) -> tuple[str, str] | None:
     """Return the strings `because` and `try` for a field that a message doesn't have, or None for other errors.
 
-    `told`: the error with the lines around it (see `Raised.told`).
+    `excerpt`: the error with the lines around it (see `Raised.excerpt`).
     """
-    found = _FIELDS.search(told)
+    found = _FIELDS.search(excerpt)
     return found and _UNKNOWN(message=found["message"], names=found["names"].split(", "))
 
 
-def value_that_misfits(told: str) -> tuple[str, str] | None:
+def value_that_misfits(excerpt: str) -> tuple[str, str] | None:
     """Return the strings `because` and `try` for a value that doesn't fit its field, or None for other errors.
 
-    `told`: the error with the lines around it (see `Raised.told`).
+    `excerpt`: the error with the lines around it (see `Raised.excerpt`).
     """
-    found = _NOTE.search(told)
+    found = _NOTE.search(excerpt)
     if found is None:
         return None
     misfit = Misfit(**found.groupdict())

@@ -82,10 +82,10 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
     if found.name == "KeyboardInterrupt":
         return None
     overtaken = re.search(TAKE_OVERTAKEN, found.text)
-    told = overtaken[0] if overtaken else found.told
+    excerpt = overtaken[0] if overtaken else found.excerpt
     last = next(reversed([*found.frames()]), None)
     own = last is not None and is_of(last, program_name)
-    return _explained(found.error, told, found.line_in(program_name), own=own)
+    return _explained(found.error, excerpt, found.line_in(program_name), own=own)
 
 
 def _error_of_library(log: str) -> ProgramError | None:
@@ -97,21 +97,21 @@ def _error_of_library(log: str) -> ProgramError | None:
     return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
 
 
-def _explained(error: str, told: str, line: int | None, *, own: bool = False) -> ProgramError:
-    unknown = unknown_field(told)
+def _explained(error: str, excerpt: str, line: int | None, *, own: bool = False) -> ProgramError:
+    unknown = unknown_field(excerpt)
     if unknown is not None:
         return ProgramError(error, line, "error.unknown-field", *unknown)
     foreign = foreign_name(error) or name_elsewhere(error)
     if foreign is not None:
         return ProgramError(error, line, *foreign)
     known = next(
-        (one for one in KNOWN_ERRORS if re.search(one.pattern, error) or re.search(one.pattern, told)),
+        (one for one in KNOWN_ERRORS if re.search(one.pattern, error) or re.search(one.pattern, excerpt)),
         UNKNOWN_ERROR,
     )
-    missing = missing_name(error, told, own=own) if known.cause in _SAYS_NOT_WHICH_NAME else None
+    missing = missing_name(error, excerpt, own=own) if known.cause in _SAYS_NOT_WHICH_NAME else None
     if missing is not None:
         return ProgramError(error, line, *missing)
-    misfit = value_that_misfits(told)
+    misfit = value_that_misfits(excerpt)
     if misfit is None:
         return ProgramError(error, line, known.cause, *known.explained())
     cause = known.cause if known.cause.startswith("error.field") else "error.wrong-value-type"
@@ -173,10 +173,10 @@ def failed_by_error(
         return None
     if saw:
         joined = saw if saw.endswith(_WITH_AN_ERROR) else f"{saw}; error"
-        told = f"{joined}{error.in_line}: {error.error}"
+        saw = f"{joined}{error.in_line}: {error.error}"
     else:
-        told = f"{error.where}{error.error}"
-    return error.verdict(told, expected, about_time=about_time)
+        saw = f"{error.where}{error.error}"
+    return error.verdict(saw, expected, about_time=about_time)
 
 
 def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:

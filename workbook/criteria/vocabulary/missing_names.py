@@ -41,16 +41,16 @@ _IN_FRONT = {
 _NO_ATTRIBUTE = WORDS.reason("error.no-such-attribute", ("name", "kind"))
 
 
-def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | None:
+def missing_name(error: str, excerpt: str, *, own: bool) -> tuple[str, str, str] | None:
     """Return the cause id for a missing name, and the strings `because` and `try`, or None for other errors.
 
-    `told`: the error with the lines around it (see `Raised.told`). `own`: whether the program itself, rather than a
-    library, looked the name up.
+    `excerpt`: the error with the lines around it (see `Raised.excerpt`). `own`: whether the program itself, rather
+    than a library, looked the name up.
     """
-    noted = _noted(told)
+    noted = _noted(excerpt)
     if noted is not None:
         return noted
-    alike, lacks = _ALIKE.search(told) or _HINT.search(error), _LACKS.search(error)
+    alike, lacks = _ALIKE.search(excerpt) or _HINT.search(error), _LACKS.search(error)
     if alike is not None:
         return _explained(_MISSPELLED, near=alike["names"].split(", "))
     if lacks is None or lacks["module"] or not own:
@@ -59,19 +59,19 @@ def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | 
     return _explained(_IN_FRONT.get(kind, _NO_ATTRIBUTE), name=lacks["name"], kind=kind)
 
 
-def _noted(told: str) -> tuple[str, str, str] | None:
+def _noted(excerpt: str) -> tuple[str, str, str] | None:
     """Return the cause id and strings for the line that the program's host added, or None if it didn't add one.
 
     Such a line is about a keyword or method that belongs elsewhere, or an attribute that's set late or overwritten.
     """
-    if keywords := _KEYWORDS.search(told):
+    if keywords := _KEYWORDS.search(excerpt):
         return _explained(_KEYWORD, function=keywords["function"], names=keywords["names"])
-    if of_others := _OF_OTHERS.search(told):
+    if of_others := _OF_OTHERS.search(excerpt):
         others = of_others["others"].split(", ")
         reason = _OF_OWNERS.get(others[0], _OF_ANOTHER)
         return _OF_ANOTHER.id, *reason(name=of_others["name"], others=others)
     for pattern, reason in ((_OVERWRITTEN, _PRIVATE), (_LATER, _SET_LATER)):
-        if found := pattern.search(told):
+        if found := pattern.search(excerpt):
             return _explained(reason, name=found["name"], line=found["line"])
     return None
 

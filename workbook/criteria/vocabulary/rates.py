@@ -175,13 +175,13 @@ class _Rhythm:
         return "before the first message" if gap.kind == "before" else f"starting at {seconds(gap.start)}"
 
     @property
-    def told_hz(self) -> str:
+    def hz_text(self) -> str:
         return hertz(self.hz)
 
     @property
     def rounded_hz(self) -> str:
         fastest = number(0.5 / (self.recording.step_s or 1.0))
-        return f"{self.told_hz} Hz" if self.can_tell else f"faster than {fastest} Hz"
+        return f"{self.hz_text} Hz" if self.can_tell else f"faster than {fastest} Hz"
 
     @property
     def other_hz(self) -> str:

@@ -58,7 +58,7 @@ class Raised:
         return "\n".join([f"{TRACEBACK}:", *self.lines, self.error, *self.notes])
 
     @property
-    def told(self) -> str:
+    def excerpt(self) -> str:
         """The part for the error table: two lines before the error, the error, and the rest of its message."""
         return "\n".join([*self.lines[-2:], self.error, *self.notes])
 

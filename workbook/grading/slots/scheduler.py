@@ -239,7 +239,7 @@ class _AnswersOfRun(Generic[Key]):
         fills: bool,
     ) -> None:
         self._waiting: queue.SimpleQueue[Job[Key]] = queue.SimpleQueue()
-        self._thorough = soak
+        self._soak = soak
         self._kind = Kind(isolation)
         self._stop = stop
         self.done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
@@ -300,7 +300,7 @@ class _AnswersOfRun(Generic[Key]):
         if job is None:
             permit.give_back(self._pool, self._kind, permit.slot)
             return
-        self.done.put((job, permit.judge(self._pool, self._kind, job, soak=self._thorough)))
+        self.done.put((job, permit.judge(self._pool, self._kind, job, soak=self._soak)))
 
     def close(self) -> None:
         """Stop all slots and the servers that forked them."""

@@ -158,7 +158,7 @@ class _ProgressSender:
         messages = {name: count for name, _, count, _ in topics}
         latest = {name: value for name, _, _, value in topics}
         types = {name: type_name for name, type_name, _, _ in topics}
-        self._send(progress_message(Progress(0, round(recorder.robot_now(), 3), messages, latest, types)))
+        self._send(progress_message(Progress(0, round(recorder.simulated_now(), 3), messages, latest, types)))
 
 
 def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Callable[[], bool]) -> Message:
