@@ -147,12 +147,12 @@ def test_ctrl_c_comes_when_the_program_waits_and_not_in_the_middle_of_its_work(
     class QuietWhenItSaysSo:
         def __init__(self, pid: int) -> None: ...
 
-        def wait(self) -> None:
+        def wait_until_quiet(self) -> None:
             wait_until(waits.exists)
 
         def close(self) -> None: ...
 
-    monkeypatch.setattr(programs, "Quiescence", QuietWhenItSaysSo)
+    monkeypatch.setattr(programs, "RestDetector", QuietWhenItSaysSo)
     code = """
 import pathlib, time
 where = "at work"

@@ -24,7 +24,7 @@ from workbook.recording.recording import TopicRecording
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment, prepare
 from workbook.watching.observer import Observer
-from workbook.watching.quiescence import Quiescence
+from workbook.watching.rest import RestDetector
 from workbook.watching.watch import Watch
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -82,12 +82,12 @@ def test_the_waves_are_set_from_outside(observer: Observer) -> None:
 
 def wait_until_it_is_quiet(pid: int) -> None:
     """Wait until the program waits, because Python would swallow a Ctrl-C that arrives in a destructor."""
-    quiescence = Quiescence(pid)
+    rest = RestDetector(pid)
     try:
-        while not quiescence.wait():
+        while not rest.wait_until_quiet():
             continue
     finally:
-        quiescence.close()
+        rest.close()
 
 
 def wait_until_it_spins(name: str, domain_id: int) -> None:

@@ -20,7 +20,7 @@ from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, ProcessRecord, Recording
 from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.watching.observer import Observer
-from workbook.watching.quiescence import Quiescence
+from workbook.watching.rest import RestDetector
 from workbook.watching.watch import Watch
 
 Program = ModuleType | Path | str
@@ -210,9 +210,9 @@ def _run_once(
                     printed, printed_at = log, time.monotonic()
                 if interrupt_at is not None and interrupt_at in printed:
                     with closing(
-                        Quiescence(process.pid)
-                    ) as quiescence:  # a person never presses Ctrl-C that fast
-                        quiescence.wait()
+                        RestDetector(process.pid)
+                    ) as rest:  # a person never presses Ctrl-C that fast
+                        rest.wait_until_quiet()
                     process.interrupt()
                     interrupt_at = None
                 if silence is not None and printed and time.monotonic() - printed_at > silence:

@@ -11,7 +11,7 @@ from rclpy.utilities import get_default_context
 from workbook.programs.process import NodeProcess
 from workbook.ros.fresh_nodes import nodes_in
 from workbook.ros.kernel_node import kernel_node
-from workbook.watching.quiescence import Quiescence
+from workbook.watching.rest import RestDetector
 
 NODES_WITHIN_S = 10.0
 """The longest wait (s) for a node. After that, we assume that the program has none, even if one appears later."""
@@ -45,7 +45,7 @@ def wait_until_it_serves(process: NodeProcess, node: str) -> None:
     executor.add_node(client_node)
     client = client_node.create_client(ListParameters, f"{node}/list_parameters")
     reply = None
-    quiescence = Quiescence(process.pid)
+    rest = RestDetector(process.pid)
     idle = 0.0
     last = time.monotonic()
     deadline = last + SERVES_WITHIN_S
@@ -55,13 +55,13 @@ def wait_until_it_serves(process: NodeProcess, node: str) -> None:
                 reply = client.call_async(ListParameters.Request())
             executor.spin_once(timeout_sec=POLL_S)
             now = time.monotonic()
-            if quiescence.is_quiet():
+            if rest.is_quiet():
                 idle += now - last
             last = now
             if now > deadline:
                 break
     finally:
-        quiescence.close()
+        rest.close()
         executor.shutdown()
         client_node.destroy_node()
 

@@ -15,8 +15,8 @@ from workbook.recording.plan import Plan
 from workbook.ros.environment import profile_with_lease
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.observer import Observer
-from workbook.watching.quiescence import Quiescence
 from workbook.watching.recorder import Recorder
+from workbook.watching.rest import RestDetector
 from workbook.watching.script_player import ScriptPlayer
 
 REMEMBERED_S = 20
@@ -49,7 +49,7 @@ class Session:
     process: NodeProcess = field(init=False)
     script_player: ScriptPlayer = field(init=False)
     recorder: Recorder = field(init=False)
-    quiescence: Quiescence = field(init=False)
+    rest: RestDetector = field(init=False)
     began: float = field(default_factory=time.monotonic)
     delays: Delays = field(default_factory=Delays)
 
@@ -95,7 +95,7 @@ def open_session(observer: Observer, spec: ProgramSpec, plan: Plan, process: Nod
             session.close()
             raise
     session.process = process
-    session.quiescence = Quiescence(process.pid)
+    session.rest = RestDetector(process.pid)
     session.began = session.script_player.started_at = process.started_at
     session.recorder = Recorder(
         node,

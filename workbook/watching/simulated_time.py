@@ -12,7 +12,6 @@ from workbook.recording.plan import PERIODS_PER_BLOCK, SPEEDS
 from workbook.recording.recording import Stretch
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.following import follows
-from workbook.watching.lockstep import LockStep
 from workbook.watching.session import Session
 
 LOOK_EVERY_S = 0.1
@@ -48,7 +47,7 @@ class SimulatedRun:
     def __init__(self, session: Session, clock: SimulatedClock) -> None:
         self._session = session
         self._clock = clock
-        self._lock = LockStep(session.process.pid)
+        self._rest = session.rest
         self._slowest_step_s = {True: 0.0, False: 0.0}
         self._next_look = 0.0
         self._late_match_s = dict.fromkeys(session.plan.topics, LATE_MATCH_S)
@@ -69,7 +68,7 @@ class SimulatedRun:
         Messages that arrive in this extra time aren't judged.
         """
         unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
-        if unsure and self._lock.works and self._session.process.is_running() and not self.outpaced:
+        if unsure and self._rest.works and self._session.process.is_running() and not self.outpaced:
             interval = max(self._clock.now / len(times) for times in unsure)
             self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
@@ -90,7 +89,7 @@ class SimulatedRun:
     @property
     def in_lockstep(self) -> bool:
         """Whether the program had come to rest before each step."""
-        return self._lock.works and self._lock.never_in_vain
+        return self._rest.works and self._rest.never_in_vain
 
     @property
     def outpaced(self) -> bool:
@@ -100,15 +99,11 @@ class SimulatedRun:
         count CPU time and sleep, but not other delays, because a busy machine isn't the program's fault. A program that
         floods a topic is also judged on the wall clock, which shows sooner what else the program does.
         """
-        taken_s = self._used_s - self._used_before_s + self._lock.slept_s
+        taken_s = self._used_s - self._used_before_s + self._rest.slept_s
         slow = taken_s > max(LEAST_TAKEN_S, self._clock.now / CLEARLY_FASTER)
-        naps = self._lock.longest_nap_s > LONGEST_NAP_PERIODS * self._session.plan.shortest_period
+        naps = self._rest.longest_nap_s > LONGEST_NAP_PERIODS * self._session.plan.shortest_period
         flooded = any(map(self._session.recorder.is_flooded, self._session.plan.paced))
         return slow or naps or flooded or time.monotonic() > self._until
-
-    def close(self) -> None:
-        """Close the files that report the threads' states."""
-        self._lock.close()
 
     def _run(self, simulated_s: float, pairs: int) -> None:
         begin = self._clock.now
@@ -135,15 +130,15 @@ class SimulatedRun:
         """Advance the clock at one speed until `end`.
 
         Return earlier if everything is proved (see `_is_proved`), if the program exits or is `outpaced`, or if
-        `LockStep.works` changes.
+        `RestDetector.works` changes.
         """
-        session, clock, locked = self._session, self._clock, self._lock.works
+        session, clock, locked = self._session, self._clock, self._rest.works
         begin, began, steps, proved = clock.now, time.monotonic(), 0, False
         clock.run_at(self._speed(fast=fast, locked=locked))
         while (
             clock.now < end
             and session.process.is_running()
-            and locked == self._lock.works
+            and locked == self._rest.works
             and not (proved or self.outpaced)
         ):
             time.sleep(clock.until_due())
@@ -193,9 +188,9 @@ class SimulatedRun:
     def _wait(self, *, locked: bool) -> None:
         """Wait until the program has handled the last step and its messages have arrived."""
         if locked:
-            self._lock.wait()
+            self._rest.wait()
         else:
-            self._session.quiescence.wait()
+            self._rest.wait_until_quiet()
 
     def _speed(self, *, fast: bool, locked: bool) -> float:
         """Return the speed at which to advance the clock, in simulated seconds per real second.

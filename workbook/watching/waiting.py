@@ -44,7 +44,7 @@ def wait_for_first_sign(session: Session) -> bool:
     node_since: float | None = None
     at_work = 0.0
     while (now := time.monotonic()) < deadline or _may_still_start(session, deadline, at_work):
-        if now > deadline - AT_REST_S and not session.quiescence.is_quiet():
+        if now > deadline - AT_REST_S and not session.rest.is_quiet():
             at_work = now
         if time.monotonic() > look_elsewhere:
             used = process.domains_used()
@@ -93,7 +93,7 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
         spent = min(now - looked, POLL_S)
         if recorder.look():
             quiet_s = spinning_s = 0.0
-        quiet = session.quiescence.is_quiet()
+        quiet = session.rest.is_quiet()
         quiet_s += spent if quiet else 0.0
         looked = now
         if services is None:
@@ -126,4 +126,4 @@ def let_it_match_us(session: Session) -> None:
         if session.clock is not None:
             session.clock.publish()
         time.sleep(POLL_S if session.clock is None else HELD_STEP_S)
-        session.quiescence.wait()
+        session.rest.wait_until_quiet()

@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Callable
-from contextlib import closing
 from dataclasses import replace
 
 from workbook.programs.process import NodeProcess
@@ -104,13 +103,13 @@ class Watch:
             run_wall_time(self._session, min(left, allowed), cancel_soak)
 
     def _run_simulated_time(self, clock: SimulatedClock) -> None:
-        with closing(SimulatedRun(self._session, clock)) as simulated_time:
-            self._judged_until = simulated_time.run_as_planned()
-            self._stretches = tuple(simulated_time.stretches)
-            self._in_lockstep = simulated_time.in_lockstep
-            simulated_time.run_longer()
-            self._outpaced = simulated_time.outpaced
-            self._following = {} if self._outpaced else simulated_time.following()
+        simulated_time = SimulatedRun(self._session, clock)
+        self._judged_until = simulated_time.run_as_planned()
+        self._stretches = tuple(simulated_time.stretches)
+        self._in_lockstep = simulated_time.in_lockstep
+        simulated_time.run_longer()
+        self._outpaced = simulated_time.outpaced
+        self._following = {} if self._outpaced else simulated_time.following()
 
     def _begin_watch(self) -> None:
         clock = self._session.clock
@@ -214,7 +213,7 @@ class Watch:
         return replace(recording, process=self._process.record(), nodes=nodes)
 
     def _end_process(self, patience_s: float = PATIENCE_S) -> None:
-        self._session.quiescence.close()
+        self._session.rest.close()
         was_killed = self._process.killed
         if self._switch is None or self._switch.is_real:
             self._process.stop(patience_s)
