@@ -9,7 +9,6 @@ from workbook.authoring.wrong_answers import (
     WrongAnswerError,
     read_header,
     read_wrong_answer,
-    read_wrong_answers,
 )
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -250,7 +249,9 @@ def test_what_does_not_compile_is_read_where_it_should_not(tree: Tree) -> None:
 @pytest.mark.parametrize("stem", Tree(ROOT).exercise_stems())
 def test_every_wrong_answer_of_an_exercise_is_another_program(stem: str) -> None:
     programs: dict[str, str] = {}
-    for one in read_wrong_answers(Tree(ROOT), stem):
+    tree = Tree(ROOT)
+    for path in sorted((tree.wrong_answers / stem).glob("*.py")):
+        one = read_wrong_answer(tree, path)
         first = programs.setdefault(one.answer.text, one.path.name)
         assert first == one.path.name, f"{one.path.name} is the same program as {first}"
     assert programs

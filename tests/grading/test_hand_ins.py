@@ -10,10 +10,10 @@ import pytest
 from workbook.grading.hand_ins import (
     HandIn,
     all_hand_ins,
-    find_hand_ins,
     hand_in_below,
     infer_exercise,
     names_exercise,
+    one_for_each,
 )
 from workbook.grading.roster import Roster, read_aliases
 
@@ -38,7 +38,7 @@ def tree(tmp_path: Path) -> Tree:
 
 
 def found(*paths: Path) -> dict[str, HandIn]:
-    hand_ins = find_hand_ins(paths, STEM)
+    hand_ins = one_for_each(all_hand_ins(paths, STEM))
     assert [one.student for one in hand_ins] == sorted(one.student for one in hand_ins)
     return {one.student: one for one in hand_ins}
 
@@ -84,8 +84,8 @@ def test_every_layout_is_understood(names: tuple[str, ...], expected: dict[str, 
 
 
 def in_nbgrader(tree: Tree, assignment: str | None, *names: str) -> dict[str, tuple[str, str | None]]:
-    hand_ins = find_hand_ins(
-        [tree(*(f"course/submitted/{name}" for name in names)) / "course"], STEM, assignment
+    hand_ins = one_for_each(
+        all_hand_ins([tree(*(f"course/submitted/{name}" for name in names)) / "course"], STEM, assignment)
     )
     return {one.student: (one.label, one.problem) for one in hand_ins}
 
@@ -117,13 +117,13 @@ def test_who_handed_in_other_assignments_only_is_told_so(tree: Tree) -> None:
 def test_an_assignment_that_is_a_link_is_not_followed(tree: Tree) -> None:
     root = tree("submitted/ada/ps1/a.py")
     (root / "submitted" / "ada" / "ps2").symlink_to(root / "submitted" / "ada" / "ps1")
-    [hand_in] = find_hand_ins([root], STEM, "ps2")
+    [hand_in] = one_for_each(all_hand_ins([root], STEM, "ps2"))
     assert "no folder ps2" in (hand_in.problem or "")
 
 
 def test_the_folder_submitted_itself_may_be_named(tree: Tree) -> None:
     root = tree("course/submitted/ada/ps2/a.py")
-    [hand_in] = find_hand_ins([root / "course" / "submitted"], STEM, "ps2")
+    [hand_in] = one_for_each(all_hand_ins([root / "course" / "submitted"], STEM, "ps2"))
     assert (hand_in.student, hand_in.label) == ("ada", "ada/ps2/a.py")
 
 

@@ -33,7 +33,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
-from workbook.authoring.tree import AuthoringError, Tree, entries
+from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise import source
 from workbook.exercise.answers import Answer, read_answer
 
@@ -89,12 +89,6 @@ class WrongAnswer:
     changes: tuple[Change, ...]
     """Empty for a whole program."""
     answer: Answer
-
-
-def read_wrong_answers(tree: Tree, stem: str) -> tuple[WrongAnswer, ...]:
-    """Read all wrong answers to an exercise, sorted by name. Raises the same exceptions as `read_wrong_answer`."""
-    paths = (path for path in entries(tree.wrong_answers / stem) if path.suffix == ".py")
-    return tuple(read_wrong_answer(tree, path) for path in paths)
 
 
 def read_wrong_answer(tree: Tree, path: Path) -> WrongAnswer:

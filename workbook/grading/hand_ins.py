@@ -200,14 +200,6 @@ def hand_in_root(path: Path) -> Path:
     return path / "submitted" if (path / "submitted").is_dir() else path
 
 
-def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """Return the answers to the exercise `stem` under `paths`, one per student, sorted by student.
-
-    See `all_hand_ins`.
-    """
-    return one_for_each(all_hand_ins(paths, stem, assignment))
-
-
 def all_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
     """Return all answers to the exercise `stem` under `paths`, including several by the same student.
 
