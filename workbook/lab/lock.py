@@ -8,6 +8,7 @@ them is compatible. The file doesn't name a package registry, so the installer's
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -28,16 +29,15 @@ HEADER = """\
 """
 # These markers are true on every supported machine, so the lock file omits them.
 _ALWAYS = {
-    "platform_machine == 'x86_64'", "sys_platform == 'linux'", "python_full_version < '3.15'",
+    "platform_machine == 'x86_64'", "sys_platform == 'linux'",
     "implementation_name == 'cpython'", "platform_python_implementation == 'CPython'",
-    "implementation_name != 'PyPy'", "platform_python_implementation != 'PyPy'",
 }  # fmt: skip
 
 Entry = dict[str, str]  # requirement line (name, version, marker) → its hash lines
 
 
 def parse(text: str) -> Entry:
-    """Parse the output of `uv pip compile --generate-hashes` into requirement lines and their hashes."""
+    """Parse the output of `uv export` into requirement lines and their hashes."""
     entries: Entry = {}
     for block in re.split(r"\n(?=[A-Za-z0-9])", text.strip()):
         first, *hashes = [
@@ -51,19 +51,25 @@ def parse(text: str) -> Entry:
     return entries
 
 
-def compile_requirements(uv: str, source: str, *arguments: str) -> str:
-    """Run `uv pip compile` on requirements text or `pyproject.toml`. Return the output; raise SystemExit on failure."""
-    command = [
-        uv, "pip", "compile", "--universal", "--python-version", "3.11", "--generate-hashes", "--no-annotate",
-        "--no-header", "--quiet", *arguments,
-    ]  # fmt: skip
-    if source == "pyproject.toml":
-        done = subprocess.run([*command, source], cwd=ROOT, text=True, capture_output=True)
-    else:
-        done = subprocess.run([*command, "-"], cwd=ROOT, text=True, capture_output=True, input=source)
+def run(uv: str, *arguments: str) -> str:
+    """Run uv and return its output. Raises SystemExit if uv fails."""
+    done = subprocess.run([uv, *arguments, "--quiet"], text=True, capture_output=True)
     if done.returncode:
-        raise SystemExit(f"uv could not resolve {source!r}:\n{done.stderr}")
+        raise SystemExit(f"uv could not resolve pyproject.toml:\n{done.stderr}")
     return done.stdout
+
+
+def resolve(uv: str, folder: str, project: str, extras: tuple[str, ...]) -> dict[str, Entry]:
+    """Resolve a project file's text in `folder`. An earlier call's versions stay, if they fit.
+
+    Return the packages of the build tools, of a student, and of a student with each of the extras.
+    """
+    text = f"{project}\n[dependency-groups]\nbuild = {json.dumps(BUILD)}\n"
+    Path(folder, "pyproject.toml").write_text(text)
+    run(uv, "lock", "--project", folder, *sys.argv[1:])
+    flags = {"build": ["--only-group", "build"], "student": [], **{one: ["--extra", one] for one in extras}}
+    plain = ("export", "--frozen", "--no-emit-project", "--no-annotate", "--no-header", "--project", folder)
+    return {name: parse(run(uv, *plain, *one)) for name, one in flags.items()}
 
 
 def section(name: str, entries: Entry) -> str:
@@ -79,28 +85,17 @@ def main() -> None:
     uv = shutil.which("uv")
     if uv is None:
         raise SystemExit("make lock needs uv on the PATH (only those who change the dependencies need it).")
+    project = (ROOT / "pyproject.toml").read_text()
+    without_extras = re.sub(r"(?ms)^\[project.optional-dependencies\].*?(?=^\[)", "", project)
     with tempfile.TemporaryDirectory() as folder:
-        student_text = compile_requirements(uv, "pyproject.toml", *sys.argv[1:])
-        constraints = Path(folder, "constraints.txt")
-        constraints.write_text(re.sub(r"(?m)( \\)?\n    --hash.*", "", student_text))
-        build = parse(compile_requirements(uv, "\n".join(BUILD), "--constraint", str(constraints)))
-        student = parse(student_text)
-        sections = {"build": build, "student": {line: h for line, h in student.items() if line not in build}}
-        known = {**build, **student}
-        # All extras are first resolved together, so that they're compatible with each other, too.
-        flags = [flag for extra in EXTRAS for flag in ("--extra", extra)]
-        everything = compile_requirements(uv, "pyproject.toml", *flags, "--constraint", str(constraints))
-        constraints.write_text(
-            re.sub(r"(?m)( \\)?\n    --hash.*", "", everything)
-            + "\n"
-            + "\n".join(f"{line}" for line in build)
-        )
-        for extra in EXTRAS:
-            text = compile_requirements(
-                uv, "pyproject.toml", "--extra", extra, "--constraint", str(constraints)
-            )
-            entries = parse(text)
-            sections[extra] = {line: hashes for line, hashes in entries.items() if line not in known}
+        alone = resolve(uv, folder, without_extras, ())
+        sections = resolve(uv, folder, project, EXTRAS)
+    if changed := alone["student"].keys() ^ sections["student"].keys():
+        raise SystemExit(f"An extra changes what students get: {', '.join(sorted(changed))}")
+    known = dict(sections["build"])
+    for name in ("student", *EXTRAS):
+        sections[name] = {line: hashes for line, hashes in sections[name].items() if line not in known}
+        known |= sections["student"]
     LOCK.write_text(HEADER + "".join(section(name, entries) for name, entries in sections.items()))
     print(f"{LOCK.name}: " + ", ".join(f"{name} {len(entries)}" for name, entries in sections.items()))
 
