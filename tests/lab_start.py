@@ -7,8 +7,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from browser.lab_page import LabPage
-from browser.student_lab import StudentLab
+from tests.browser.lab_page import LabPage
+from tests.browser.student_lab import StudentLab
 from playwright.sync_api import Browser, expect, sync_playwright
 
 from workbook.lab.health import chromium

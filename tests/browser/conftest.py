@@ -10,10 +10,9 @@ import psutil
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
+from tests.browser.lab_page import LabPage
+from tests.browser.student_lab import ROOT, StudentLab, await_end, descendants
 from workbook.lab.health import chromium
-
-from .lab_page import LabPage
-from .student_lab import ROOT, StudentLab, await_end, descendants
 
 KERNEL_END_S = 60.0
 GIVES_WAY = 5

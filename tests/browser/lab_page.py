@@ -9,9 +9,8 @@ from urllib.parse import quote
 
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.student_lab import ROOT, StudentLab
 from workbook.lab.work_folder import first_lesson
-
-from .student_lab import ROOT, StudentLab
 
 QUICK_MS = 120_000
 CELL_MS = 180_000

@@ -4,7 +4,7 @@ import json
 
 from playwright.sync_api import Page, ViewportSize
 
-from .student_lab import ROOT
+from tests.browser.student_lab import ROOT
 
 FRONT_END = ROOT / "workbook/lab/front_end/panel"
 VIEW = ViewportSize(width=660, height=900)

@@ -9,16 +9,15 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.axe import violations
+from tests.browser.lab_page import CELL_MS, LabPage
+from tests.browser.stage_frames import MOST_SCRIPT_MS
+from tests.browser.student_lab import ROOT, StudentLab
+from tests.browser.test_browser_exercise import CHANGES, COUNT_MOVES, FRONT_END, REST_MS
+from tests.browser.test_browser_rig import COUNTED
 from workbook.authoring.tree import Tree
 from workbook.exercise.definition import load_exercise
 from workbook.magics.live_card import CHECK
-
-from .axe import violations
-from .lab_page import CELL_MS, LabPage
-from .stage_frames import MOST_SCRIPT_MS
-from .student_lab import ROOT, StudentLab
-from .test_browser_exercise import CHANGES, COUNT_MOVES, FRONT_END, REST_MS
-from .test_browser_rig import COUNTED
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 NOTEBOOK = "exercises/05_timers.ipynb"

@@ -9,6 +9,10 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.axe import violations
+from tests.browser.lab_page import CELL_MS, ROBOT, LabPage
+from tests.browser.student_lab import ROOT, StudentLab, await_end, running
+from tests.browser.test_browser_panel import observers
 from workbook.authoring.tree import Tree
 from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.exercise.definition import Exercise, load_exercise
@@ -19,11 +23,6 @@ from workbook.feedback.wording import SIGNS, WORDS, earned, worst_first
 from workbook.lesson.robot_in_cell import ROBOT as LIVE
 from workbook.pictures.joints import CHEER, SQUAT
 from workbook.recording.recording import Recording
-
-from .axe import violations
-from .lab_page import CELL_MS, ROBOT, LabPage
-from .student_lab import ROOT, StudentLab, await_end, running
-from .test_browser_panel import observers
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 STEM = "09_joint_positions"

@@ -11,12 +11,11 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Browser, Locator, TimeoutError, ViewportSize, expect
 
+from tests.browser.axe import violations
+from tests.browser.conftest import OpenPage, running_lab
+from tests.browser.lab_page import ROBOT, LabPage
+from tests.browser.student_lab import ROOT, StudentLab
 from workbook.lab.work_folder import first_lesson
-
-from .axe import violations
-from .conftest import OpenPage, running_lab
-from .lab_page import ROBOT, LabPage
-from .student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 FIRST = first_lesson(ROOT) or ""

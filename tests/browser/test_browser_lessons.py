@@ -15,16 +15,15 @@ from statistics import median
 import pytest
 from playwright.sync_api import Browser, expect
 
+from tests.browser.axe import violations
+from tests.browser.conftest import OpenPage, running_lab
+from tests.browser.lab_page import NOTEBOOK, ROBOT, LabPage
+from tests.browser.student_lab import ROOT, StudentLab
 from tests.calm import MOST_TAKEN, TRIES, await_calm, taken_s
 from workbook.authoring.comparing import compare_run
 from workbook.authoring.nbval_glue import MOST_PICTURES
 from workbook.authoring.tree import Tree
 from workbook.lesson.predictions import UNATTENDED
-
-from .axe import violations
-from .conftest import OpenPage, running_lab
-from .lab_page import NOTEBOOK, ROBOT, LabPage
-from .student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))

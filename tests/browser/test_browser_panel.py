@@ -12,10 +12,10 @@ import psutil
 import pytest
 from playwright.sync_api import Locator, expect
 
-from .axe import violations
-from .lab_page import LabPage
-from .panel_notebook import QUIET, SAYS, TURNS, WAVES, write_notebook
-from .student_lab import StudentLab, await_end, running
+from tests.browser.axe import violations
+from tests.browser.lab_page import LabPage
+from tests.browser.panel_notebook import QUIET, SAYS, TURNS, WAVES, write_notebook
+from tests.browser.student_lab import StudentLab, await_end, running
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 WIDTHS = (800, 1280, 1600)

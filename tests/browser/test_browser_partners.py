@@ -10,13 +10,12 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Locator, Page, WebSocket, expect
 
+from tests.browser.axe import violations
+from tests.browser.lab_page import ROBOT, LabPage
+from tests.browser.stage_frames import VIEW, script_ms
+from tests.browser.student_lab import ROOT, running
+from tests.browser.test_browser_exercise import COUNT_MOVES
 from workbook.exercise.source import load
-
-from .axe import violations
-from .lab_page import ROBOT, LabPage
-from .stage_frames import VIEW, script_ms
-from .student_lab import ROOT, running
-from .test_browser_exercise import COUNT_MOVES
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 PANEL = ".workbook-panel:not(.lm-mod-hidden)"

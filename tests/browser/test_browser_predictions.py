@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page, ViewportSize, expect
 
-from .axe import violations
-from .lab_page import NOTEBOOK, LabPage
+from tests.browser.axe import violations
+from tests.browser.lab_page import NOTEBOOK, LabPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 LESSON = "notebooks/05_timers.ipynb"

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, expect
 
-from .axe import violations
-from .lab_page import NOTEBOOK, LabPage
-from .panel_notebook import write_notebook
-from .student_lab import ROOT, StudentLab
+from tests.browser.axe import violations
+from tests.browser.lab_page import NOTEBOOK, LabPage
+from tests.browser.panel_notebook import write_notebook
+from tests.browser.student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 ENOUGH = 4.5

@@ -11,11 +11,10 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Browser, Page, expect
 
+from tests.browser.stage_frames import FRONT_END, MOST_SCRIPT_MS
 from workbook.lab.panel.reactions import MOMENTS
 from workbook.pictures import humanoid
 from workbook.pictures.joints import CHEER, NEUTRAL, SQUAT, STEP, WAVE, pose
-
-from .stage_frames import FRONT_END, MOST_SCRIPT_MS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 GROUNDS = {"light": "#ffffff", "dark": "#111111"}

@@ -16,12 +16,11 @@ from urllib.parse import quote, unquote, urlsplit
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Route, expect
 
+from tests.browser.axe import violations
+from tests.browser.student_lab import ROOT
 from workbook.authoring.site.errors import ErrorPages
 from workbook.authoring.tree import Tree
 from workbook.lesson.sealed_predictions import all_predictions
-
-from .axe import violations
-from .student_lab import ROOT
 
 pytestmark = [
     pytest.mark.slow,

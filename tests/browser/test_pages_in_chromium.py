@@ -8,13 +8,12 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
+from tests.browser.axe import violations
+from tests.browser.student_lab import ROOT
 from workbook.authoring.site.generated_class import SIZE, STEM, generated_class
 from workbook.exercise.definition import load_exercise
 from workbook.grading.gradebook import GradebookOptions, write_gradebook
 from workbook.grading.pages import CLASS, PAGES, page_name
-
-from .axe import violations
-from .student_lab import ROOT
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 THEMES = ("light", "dark")
