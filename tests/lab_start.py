@@ -7,10 +7,10 @@ import tempfile
 import time
 from pathlib import Path
 
-from tests.browser.lab_page import LabPage
-from tests.browser.student_lab import StudentLab
 from playwright.sync_api import Browser, expect, sync_playwright
 
+from tests.browser.lab_page import LabPage
+from tests.browser.student_lab import StudentLab
 from workbook.lab.health import chromium
 
 LESSON = "notebooks/00_start_here.ipynb"
