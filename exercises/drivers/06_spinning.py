@@ -47,7 +47,7 @@ JOB_S = 0.4
 
 REPEAT_S = 0.1  # the period at which the latest announcement is repeated
 PATIENCE_S = 1.0  # a judge that hasn't appeared by then won't appear at all
-GRACE_S = 0.3  # a thread that was noted_call to finish has finished by then
+GRACE_S = 0.3  # a thread that was asked to finish has finished by then
 
 
 class Watched:

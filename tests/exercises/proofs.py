@@ -94,7 +94,7 @@ class Pool:
 
     @property
     def slots(self) -> int:
-        """Return how many answers work at the same time: as many as in grading, or up to three times as many."""
+        """Return the number of slots, as in grading. While CPUs are idle, up to three times as many answers run."""
         return CORES * SLOTS_PER_CORE["simulated" if self.on_simulated_time else "wall"]
 
 
@@ -145,7 +145,7 @@ class Proofs:
         return self._tries[key] < MOST_TRIES and (not judgement.full_marks or was_busy(judgement))
 
     def _judge_all_like(self, on_simulated_time: bool) -> None:
-        """Judge all answers on the same clock as this answer, in parallel."""
+        """Judge all answers on this clock, in parallel."""
         MACHINE[on_simulated_time].write_text("\t".join(COLUMNS) + "\n", encoding="utf-8")
         pools = [pool for pool in self._jobs if pool.on_simulated_time == on_simulated_time]
         with ThreadPoolExecutor(max(1, len(pools))) as threads:

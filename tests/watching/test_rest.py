@@ -155,7 +155,7 @@ def test_a_program_that_works_is_waited_for_until_it_sleeps() -> None:
         while rest.is_quiet():
             assert time.monotonic() < deadline, "it was never seen at work"
         while not rest.wait_until_quiet():
-            assert time.monotonic() < deadline, "it was never seen at rest again"
+            assert time.monotonic() < deadline, "it never became quiet again"
 
 
 def test_a_child_at_work_counts() -> None:

@@ -34,6 +34,11 @@ from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_comma
 from workbook.recording.limits import Limits
 
 Code = TypeVar("Code", int, int | None)
+NEGLIGIBLE_BYTES = 1_000_000
+"""If the machine's sockets have fewer unread bytes, we don't count them when a program starts.
+
+Reading the tables of sockets takes milliseconds.
+"""
 
 
 def filter_file() -> int:
@@ -142,6 +147,7 @@ class Sandbox:
     info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap says about itself"))
     filter_fd: int = field(default_factory=filter_file)
     _sockets_before: int = 0
+    _queued_before: int = 0
 
     @property
     def descriptors(self) -> list[int]:
@@ -161,6 +167,7 @@ class Sandbox:
         """Start the program in its own sandbox, by forking it from the server if possible. Raises OSError."""
         began = time.monotonic()
         self._sockets_before = proc.sockets_of_network()
+        self._queued_before = proc.queued_bytes(NEGLIGIBLE_BYTES)
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
@@ -242,12 +249,11 @@ class Sandbox:
         return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """Return the number of unread bytes in our network namespace's sockets (see `proc.queued_bytes`).
+        """Return how much the unread bytes in our network namespace's sockets have grown since the program was started.
 
-        This process's own sockets count, too, but their buffers are small. Counting them takes milliseconds, too long
-        to do it at each start.
+        See `proc.queued_bytes`.
         """
-        return proc.queued_bytes(worth_counting)
+        return proc.queued_bytes(worth_counting) - self._queued_before
 
     def exceeded(self) -> str | None:
         """Return None, because this tier has no memory cgroup."""

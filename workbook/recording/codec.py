@@ -25,7 +25,7 @@ ALWAYS_STORED: Mapping[str, Any] = {"always stored": True}
 """Metadata of a field that has a default for constructor calls, but that stored data must contain."""
 NOT_STORED: Mapping[str, Any] = {"not stored": True}
 STORED_IF_SET: Mapping[str, Any] = {"stored if set": True}
-"""Metadata of a field that is left out of the data if it's empty. It's for fields that nearly always are."""
+"""Metadata of a field that is left out of the data if it's empty. Use it for fields that usually are."""
 UNKNOWN_FIELDS: Mapping[str, Any] = {"unknown fields": True}
 """Metadata of a mapping that keeps unknown fields.
 
@@ -338,7 +338,7 @@ def _object_encoder(kind: type) -> Converter:
         data: dict[str, Any] = {}
         for one, key, convert in parts:
             item = getattr(value, one.name)
-            if item or "stored if set" not in one.metadata:
+            if "stored if set" not in one.metadata or item:
                 try:
                     data[key] = convert(item)
                 except Malformed as error:

@@ -4,7 +4,7 @@ A program is *quiet* if, at the moment of one poll, none of its threads is runni
 threads that receive the program's messages must be quiet, too. On a busy machine, a program may have to wait for a
 processor. If simulated time went on in the meantime, the program would miss clock steps without being at fault.
 
-A program is *at rest* if nothing happens before the next clock step. Two conditions prove that: we saw each thread
+A program is *at rest* if it does nothing more until the next clock step. Two conditions prove that: we saw each thread
 asleep, and no thread was scheduled between the first poll and the last. Linux counts how often each thread was
 scheduled (`schedstat`, see https://docs.kernel.org/scheduler/sched-stats.html). A thread that sleeps for a fixed time
 isn't at rest, because it continues by itself in real time (see `sleeps`). In *lockstep*, the clock takes a step only
@@ -21,7 +21,10 @@ from workbook.watching.sleeps import CALLS, goes_on_by_itself
 from workbook.watching.threads import Thread, ThreadTable
 
 LISTED_EVERY_S = 0.05
-"""How long (s) a child process's new thread may be missing from our list. The thread that started it is listed."""
+"""How long (s) a child process's new thread may be missing from our list.
+
+That's harmless, because the thread that started it is already listed.
+"""
 LONGEST_WAIT_S = 0.25
 """The longest wait (s) for a callback that computes or sleeps."""
 WORK_WAITS, SLEEP_WAITS = 4, 2
@@ -31,9 +34,13 @@ BUDGET_S = 4.0
 POLL_S = 0.0001
 POLL_SHARE = 0.1
 """The pause between two polls, as a fraction of the time waited so far. More polls would slow the program down."""
+QUIET_POLL_S = 0.0005
+QUIET_POLL_SHARE = 0.2
+"""The same for `wait_until_quiet`, which waits for slower programs, often before they need to be fast."""
 FIRST_LOOK_SHARE = 0.5
 LONGEST_UNLOOKED_S = 0.001
-"""Before the first poll, wait half as long as the previous step took. This value (s) caps the wait."""
+"""Before the first poll, sleep for this share of the previous wait's duration, which counts as at most
+`LONGEST_UNLOOKED_S` (s)."""
 
 
 class State(enum.Enum):
@@ -47,7 +54,7 @@ class State(enum.Enum):
 class RestDetector:
     """Waits until a program, whose first process is `pid`, is quiet or at rest.
 
-    `never_in_vain`: whether the program was at rest after each wait so far. `slept_s` and `longest_nap_s`: the total
+    `never_in_vain`: whether the program was at rest after each call of `wait` so far. `slept_s` and `longest_nap_s`: the total
     and the longest time (s) that we waited for a sleeping thread before the program came to rest. If the threads'
     states can't be read, all threads count as quiet.
     """
@@ -74,10 +81,11 @@ class RestDetector:
 
     def is_quiet(self) -> bool:
         """Return whether no thread is at work at this moment."""
-        return self._is_quiet(self._table.threads())
+        threads = self._table.threads()
+        return not self._is_suspect_at_work(threads) and not self._is_any_at_work(threads)
 
     def wait_until_quiet(self) -> bool:
-        """Wait until the program is quiet, at most `LONGEST_WAIT_S`, and `BUDGET_S` for all waits in vain together.
+        """Wait until the program is quiet, for at most `LONGEST_WAIT_S`. Waits in vain may total `BUDGET_S`.
 
         Return whether the program became quiet. Some programs never do, for example because of a loop without a pause.
         """
@@ -88,7 +96,7 @@ class RestDetector:
             if waited >= limit:
                 self._left_s -= limit
                 return False
-            time.sleep(max(POLL_S, POLL_SHARE * waited))
+            time.sleep(max(QUIET_POLL_S, QUIET_POLL_SHARE * waited))
         return True
 
     def wait(self) -> State:
@@ -118,28 +126,26 @@ class RestDetector:
         if self._is_suspect_at_work(threads):
             return State.AT_WORK
         before = [_times_scheduled(thread) for thread in threads]
-        if not self._is_quiet(threads):
+        if self._is_any_at_work(threads):
             return State.AT_WORK
         sleeping = any(self._goes_on_by_itself(*one) for one in zip(threads, before, strict=True))
         if before != [_times_scheduled(thread) for thread in threads]:
             return State.AT_WORK
         return State.SLEEPING if sleeping else State.AT_REST
 
-    def _is_quiet(self, threads: list[Thread]) -> bool:
-        """Return whether none of these threads is at work.
+    def _is_suspect_at_work(self, threads: list[Thread]) -> bool:
+        """Return whether the thread that was last seen at work is at work now.
 
-        Polling all threads takes CPU time that the program lacks on a busy machine, so poll the last suspect first.
+        Poll it first: polling all threads takes CPU time that the program lacks on a busy machine.
         """
-        if self._is_suspect_at_work(threads):
-            return False
+        return self._suspect in threads and proc.is_at_work(self._suspect.stat)
+
+    def _is_any_at_work(self, threads: list[Thread]) -> bool:
         for thread in threads:
             if proc.is_at_work(thread.stat):
                 self._suspect = thread
-                return False
-        return True
-
-    def _is_suspect_at_work(self, threads: list[Thread]) -> bool:
-        return self._suspect in threads and proc.is_at_work(self._suspect.stat)
+                return True
+        return False
 
     def _goes_on_by_itself(self, thread: Thread, scheduled: bytes) -> bool:
         """Return whether a sleeping thread with the scheduling counters `scheduled` continues by itself.
@@ -163,6 +169,7 @@ class RestDetector:
     @cached_property
     def _can_tell(self) -> bool:
         """Whether the kernel reports how often threads are scheduled, and which system calls they're in."""
+        self._table.update()  # a thread that has finished since the last update tells nothing
         threads = self._table.threads()
         calls = [thread.syscall for thread in threads if thread.syscall is not None]
         counted = all(len(_times_scheduled(thread).split()) == 3 for thread in threads)

@@ -52,7 +52,7 @@ class ThreadTable:
         how_many = proc.how_many_threads(self._pid)
         if how_many != self._how_many or time.monotonic() - self._listed_at >= self._every_s:
             self._how_many = how_many
-            self._list()
+            self.update()
         return [*self._threads.values()]
 
     def close(self) -> None:
@@ -60,7 +60,8 @@ class ThreadTable:
         while self._threads:
             self._threads.popitem()[1].close()
 
-    def _list(self) -> None:
+    def update(self) -> None:
+        """List the threads again."""
         self._listed_at = time.monotonic()
         wanted = dict(self._folders())
         for folder in self._threads.keys() - wanted.keys():

@@ -239,7 +239,7 @@ def main() -> None:
     helpers = [start_helper(SERVER, environ) for _ in range(SEEDS if isolation == "sandbox" else 0)]
     import_what_answers_need()
     gc.collect()
-    gc.freeze()  # slots needn't examine these objects again, nor copy their memory
+    gc.freeze()  # a slot's collector then doesn't examine these objects, nor copy their memory by examining them
     ended, wakes = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
     signal.signal(signal.SIGCHLD, lambda *_: None)
     signal.set_wakeup_fd(wakes, warn_on_full_buffer=False)
