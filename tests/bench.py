@@ -260,7 +260,7 @@ def lost(judgement: Judgement) -> frozenset[str]:
     return frozenset(one.id for one in judgement.criteria if one.status in ("failed", "partial"))
 
 
-def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+def repeatability(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     """Judge the same answers repeatedly, with more slots than CPUs."""
     tree = Tree(ROOT)
     wrong = {name: read_wrong_answer(tree, tree.wrong_answers / STEM / f"{name}.py") for name in WRONG}
@@ -545,7 +545,7 @@ def class_server(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Fig
 PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "check": check,
     "warm": warm,
-    "steadiness": steadiness,
+    "repeatability": repeatability,
     "isolation": sandboxing,
     "throughput": throughput,
     "lab": lab_starts,

@@ -28,7 +28,7 @@ def test_a_topic_that_stops_while_another_goes_on() -> None:
     refuses(see.rate(stopped(13), BATTERY), "while messages kept arriving on /robot/status", about_time=True)
 
 
-def test_once_it_has_followed_robot_time_that_is_final() -> None:
+def test_once_it_has_followed_simulated_time_that_is_final() -> None:
     verdict = see.rate(replace(stopped(13), following={BATTERY.name: True}), BATTERY)
     assert verdict.cause == "silence.of-one" and not verdict.about_time and verdict.pace_of == BATTERY.name
 

@@ -419,7 +419,7 @@ def test_rate_needs_more_than_three_messages() -> None:
     )
 
 
-def test_rate_does_not_tell_what_robot_time_cannot_resolve() -> None:
+def test_rate_does_not_tell_what_simulated_time_cannot_resolve() -> None:
     fast = on_topic(BATTERY.name, FLOAT, every(0.1, 140))
     refuses(
         see.rate(recorded(fast, clock="simulated"), BATTERY),
@@ -429,7 +429,7 @@ def test_rate_does_not_tell_what_robot_time_cannot_resolve() -> None:
     )
 
 
-def test_rate_in_robot_time_forgives_one_step_of_the_clock() -> None:
+def test_rate_in_simulated_time_forgives_one_step_of_the_clock() -> None:
     times = [2.0, 4.0, 7.05, 9.0, 11.0, 13.0]
     refuses(see.rate(battery(times), BATTERY), "a gap of 3.0 s", about_time=True)
     accepts(see.rate(recorded(on_topic(BATTERY.name, FLOAT, times), clock="simulated"), BATTERY))

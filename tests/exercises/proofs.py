@@ -30,11 +30,16 @@ ROOT = course_folder()
 STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORKBOOK_PROOFS", stem) == stem)
 CORES = os.cpu_count() or 1
 ARTIFACTS = ROOT / "artifacts"
-MACHINE = {False: ARTIFACTS / "proofs_on_the_wall_clock.tsv", True: ARTIFACTS / "proofs_on_robot_time.tsv"}
+MACHINE = {
+    False: ARTIFACTS / "proofs_on_the_wall_clock.tsv",
+    True: ARTIFACTS / "proofs_in_simulated_time.tsv",
+}
 """One line per judgment: when it was ready (s), how busy the machine was, how long (s) its recording took, and how
 many tries there were by then.
 """
-COLUMNS = "at exercise answer points held_up stood_still taken in_line clock watched tries doubt".split()
+COLUMNS = (
+    "at exercise answer points held_up stood_still taken in_line clock watched tries inconclusive".split()
+)
 SOLUTION, STARTER = "solution", "starter"
 FEW = 3
 SEEDS = 20

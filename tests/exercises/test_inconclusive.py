@@ -121,7 +121,7 @@ def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
     assert "0.60 s" in inconclusive_reason(slow)
     assert inconclusive_reason(replace(slow, held_up_s=0.2)) == ""
     assert inconclusive_reason(replace(slow, clock="simulated")) == "", (
-        "robot time waits for whom the machine holds up"
+        "simulated time waits for a program that the machine holds up"
     )
     assert inconclusive_reason(replace(stored("eleven_values"), clock="wall", held_up_s=5.0)) == ""
     assert inconclusive_reason(replace(stored("solution"), clock="wall", held_up_s=5.0)) == ""
@@ -267,7 +267,7 @@ def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) 
 TO_THE_END = load_exercise("08_humanoid_status_publisher", ROOT)
 
 
-def doubt_of_end(
+def reason_about_end(
     cause: str = "exits-cleanly.exit-code", rate_lost: bool = False, **changes: Any
 ) -> InconclusiveReason:
     """Return the doubt about a program that lost the points for its end, and, on request, those for a rate."""
@@ -292,7 +292,7 @@ def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt_about_the_end(
     process: dict[str, Any], doubtful: bool
 ) -> None:
     crashed = replace(stored("solution").process, exit=None, ended_by="judge")
-    found = doubt_of_end("exits-cleanly.crashed", process=replace(crashed, **process))
+    found = reason_about_end("exits-cleanly.crashed", process=replace(crashed, **process))
     assert ("crashed" in found.reason) is doubtful
     assert found.end_only is doubtful
 
@@ -301,19 +301,19 @@ def test_a_crash_at_ctrl_c_excuses_no_other_criterion() -> None:
     """What the program published before Ctrl-C stays conclusive, and the crash loses no points there."""
     crashed = replace(stored("eleven_values").process, exit=None, ended_by="judge", signal="SIGSEGV")
     assert inconclusive_reason(replace(stored("eleven_values"), process=crashed)) == ""
-    assert doubt_of_end("exits-cleanly.crashed", rate_lost=True, process=crashed).end_only
+    assert reason_about_end("exits-cleanly.crashed", rate_lost=True, process=crashed).end_only
 
 
 @pytest.mark.parametrize("cause", ["exits-cleanly.crashed", "exits-cleanly.overtaken"])
 def test_a_busy_machine_disturbs_the_end_as_well(cause: str) -> None:
-    found = doubt_of_end(cause, clock="wall", watched_s=10.0, in_line_s=2.0)
+    found = reason_about_end(cause, clock="wall", watched_s=10.0, in_line_s=2.0)
     assert "so busy" in found.reason and not found.end_only
 
 
 @pytest.mark.parametrize("cause", ["exits-cleanly.aborted", "exits-cleanly.overtaken"])
 def test_an_end_that_python_or_rclpy_may_have_spoiled_leaves_a_doubt(cause: str) -> None:
-    assert doubt_of_end(cause).end_only
-    assert doubt_of_end() == InconclusiveReason()
+    assert reason_about_end(cause).end_only
+    assert reason_about_end() == InconclusiveReason()
 
 
 def test_the_exercises_say_which_criteria_are_about_the_end() -> None:
@@ -405,7 +405,7 @@ def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
     good = stored("solution")
     nodes = tuple(replace(node, stayed=True) for node in good.nodes)
     ended = replace(good.process, **({"ended_by": "judge"} | process))
-    found = doubt_of_end("nodes-gone-at-end.cut-off", nodes=nodes, process=ended)
+    found = reason_about_end("nodes-gone-at-end.cut-off", nodes=nodes, process=ended)
     assert ("was not seen leaving the graph" in found.reason) is doubtful
     assert found.end_only is doubtful
 

@@ -177,7 +177,7 @@ def test_a_second_start_lasts_eight_seconds_or_as_long_as_the_script() -> None:
 # --- the judgment from both runs ----------------------------------------------------------------------------------
 
 
-def test_the_wall_clock_does_not_overrule_the_pace_that_robot_time_has_proved() -> None:
+def test_the_wall_clock_does_not_overrule_the_pace_that_simulated_time_has_proved() -> None:
     robot = judged(seen("period_for_frequency"))
     assert lost(robot) == {"joint_rate"}
     wall = judged(in_real_time(silent_after(seen("period_for_frequency"), JOINTS, 0)))
@@ -204,13 +204,13 @@ def test_the_recording_names_the_results_that_another_recording_showed() -> None
     assert alike.recording is not None and not kept_from_simulated_time(alike.recording)
 
 
-def test_another_rate_in_real_time_overrules_robot_time() -> None:
+def test_another_rate_in_real_time_overrules_simulated_time() -> None:
     real = in_real_time(stretched(seen(), STATUS, 3.0))
     decided = wall_clock_decides(EXERCISE, judged(seen()), judged(real))
     assert lost(decided) == lost(judged(real)) == {"status_kept"}
 
 
-def test_clocks_that_contradict_each_other_leave_a_doubt_unless_robot_time_proves_nothing() -> None:
+def test_clocks_that_contradict_each_other_leave_a_doubt_unless_simulated_time_proves_nothing() -> None:
     unproved = judged(seen(following=dict.fromkeys(EXERCISE.periods, True), in_lockstep=False))
     late = judged(in_real_time(seen("period_for_frequency"), nodes=seen().nodes))
     assert "passed on robot time" in wall_clock_decides(EXERCISE, unproved, late).inconclusive_reason

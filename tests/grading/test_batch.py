@@ -43,7 +43,7 @@ def exercise() -> Exercise:
 # --- which answers run, tested without running any ----------------------------------------------------------------
 
 
-class Judges:
+class ScriptedBackend:
     """Replaces the slots: notes which answers it should judge, and gives each student a stored recording."""
 
     def __init__(self, exercise: Exercise) -> None:
@@ -74,8 +74,8 @@ class Judges:
 
 
 @pytest.fixture
-def judges(exercise: Exercise, monkeypatch: pytest.MonkeyPatch) -> Judges:
-    judges = Judges(exercise)
+def judges(exercise: Exercise, monkeypatch: pytest.MonkeyPatch) -> ScriptedBackend:
+    judges = ScriptedBackend(exercise)
     monkeypatch.setattr(scheduler, "judge_all", judges)
     return judges
 
@@ -98,7 +98,7 @@ def grade(exercise: Exercise, hand_ins: Path, **options: Any) -> BatchSummary:
     return Batch(exercise, hand_ins.parent / "out", LocalSlots(2)).run([hand_ins], **options)
 
 
-def test_everybody_gets_one_result(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_everybody_gets_one_result(exercise: Exercise, hand_ins: Path, judges: ScriptedBackend) -> None:
     seen: list[BatchProgress] = []
     summary = grade(exercise, hand_ins, progress=seen.append)
     assert judges.asked == ["s0", "s1", "s2", "s3"]
@@ -112,7 +112,7 @@ def test_everybody_gets_one_result(exercise: Exercise, hand_ins: Path, judges: J
     assert (hand_ins.parent / "out" / "grades.csv").read_text("utf-8-sig").count("\n") == 6
 
 
-def test_a_second_run_runs_nothing(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_a_second_run_runs_nothing(exercise: Exercise, hand_ins: Path, judges: ScriptedBackend) -> None:
     grade(exercise, hand_ins)
     before = lines(hand_ins.parent / "out")
     judges.asked.clear()
@@ -123,7 +123,7 @@ def test_a_second_run_runs_nothing(exercise: Exercise, hand_ins: Path, judges: J
 
 
 def test_a_changed_answer_runs_again_as_another_attempt(
-    exercise: Exercise, hand_ins: Path, judges: Judges
+    exercise: Exercise, hand_ins: Path, judges: ScriptedBackend
 ) -> None:
     grade(exercise, hand_ins)
     judges.asked.clear()
@@ -144,7 +144,7 @@ def test_a_changed_answer_runs_again_as_another_attempt(
     }
 
 
-def test_other_line_ends_are_no_change(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_other_line_ends_are_no_change(exercise: Exercise, hand_ins: Path, judges: ScriptedBackend) -> None:
     grade(exercise, hand_ins)
     judges.asked.clear()
     (hand_ins / "s2.py").write_bytes(b"robot = 2\r\n")
@@ -153,7 +153,7 @@ def test_other_line_ends_are_no_change(exercise: Exercise, hand_ins: Path, judge
 
 
 def test_changed_criteria_change_no_mark(
-    exercise: Exercise, hand_ins: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+    exercise: Exercise, hand_ins: Path, judges: ScriptedBackend, capsys: pytest.CaptureFixture[str]
 ) -> None:
     grade(exercise, hand_ins)
     before = lines(hand_ins.parent / "out")
@@ -175,7 +175,7 @@ def test_changed_criteria_change_no_mark(
 
 
 def test_nothing_is_said_of_frozen_marks_where_the_criteria_are_the_same(
-    exercise: Exercise, hand_ins: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+    exercise: Exercise, hand_ins: Path, judges: ScriptedBackend, capsys: pytest.CaptureFixture[str]
 ) -> None:
     grade(exercise, hand_ins)
     summary = grade(exercise, hand_ins)
@@ -183,7 +183,7 @@ def test_nothing_is_said_of_frozen_marks_where_the_criteria_are_the_same(
     assert "--regrade" not in capsys.readouterr().out
 
 
-def test_a_fault_of_ours_runs_again(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_a_fault_of_ours_runs_again(exercise: Exercise, hand_ins: Path, judges: ScriptedBackend) -> None:
     judges.ours_to_blame = {"s1"}
     summary = grade(exercise, hand_ins)
     assert {one.student: one.score for one in summary.results}["s1"] is None
@@ -194,7 +194,7 @@ def test_a_fault_of_ours_runs_again(exercise: Exercise, hand_ins: Path, judges: 
     assert {one.student: one.score for one in summary.results}["s1"] == 9
 
 
-def test_a_stopped_run_goes_on(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_a_stopped_run_goes_on(exercise: Exercise, hand_ins: Path, judges: ScriptedBackend) -> None:
     summary = grade(exercise, hand_ins, stop=lambda: len(judges.asked) >= 2)
     assert summary.stopped
     assert judges.asked == ["s0", "s1"]
@@ -203,7 +203,9 @@ def test_a_stopped_run_goes_on(exercise: Exercise, hand_ins: Path, judges: Judge
     assert judges.asked == ["s2", "s3"]
 
 
-def test_a_torn_line_runs_that_student_again(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_a_torn_line_runs_that_student_again(
+    exercise: Exercise, hand_ins: Path, judges: ScriptedBackend
+) -> None:
     grade(exercise, hand_ins)
     judges.asked.clear()
     path = hand_ins.parent / "out" / "results.jsonl"
@@ -213,7 +215,7 @@ def test_a_torn_line_runs_that_student_again(exercise: Exercise, hand_ins: Path,
     assert Counter(one.student for one in lines(path.parent)) == {f"s{n}": 1 for n in range(5)}
 
 
-def test_the_hour_of_submission_is_kept(exercise: Exercise, tmp_path: Path, judges: Judges) -> None:
+def test_the_hour_of_submission_is_kept(exercise: Exercise, tmp_path: Path, judges: ScriptedBackend) -> None:
     folder = tmp_path / "course" / "submitted" / "s1042" / STEM
     folder.mkdir(parents=True)
     (folder / "answer.py").write_text("robot = 1\n")
@@ -224,7 +226,7 @@ def test_the_hour_of_submission_is_kept(exercise: Exercise, tmp_path: Path, judg
 
 
 def test_a_course_of_nbgrader_is_graded_and_goes_back_into_its_gradebook(
-    tmp_path: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, judges: ScriptedBackend, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from workbook.cli.main import main
 
@@ -258,7 +260,7 @@ def test_a_course_of_nbgrader_is_graded_and_goes_back_into_its_gradebook(
 
 
 def test_lateness_is_taken_off_in_the_gradebook_and_who_has_no_time_is_named(
-    tmp_path: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, judges: ScriptedBackend, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from workbook.cli.main import main
 
@@ -294,7 +296,7 @@ def test_lateness_is_taken_off_in_the_gradebook_and_who_has_no_time_is_named(
 
 
 def test_odd_hand_ins_are_ungradable_and_hang_nothing(
-    exercise: Exercise, tmp_path: Path, judges: Judges
+    exercise: Exercise, tmp_path: Path, judges: ScriptedBackend
 ) -> None:
     folder = tmp_path / "class"
     folder.mkdir()
@@ -550,7 +552,7 @@ def test_what_cannot_be_judged_ends_with_exit_code_2(
 
 
 def test_grade_ends_with_exit_code_1_when_something_was_our_fault(
-    tmp_path: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, judges: ScriptedBackend, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from workbook.cli.main import main
 
@@ -585,7 +587,7 @@ def test_types_are_learned_once_before_slots_start_that_cannot_write(monkeypatch
 
 @pytest.mark.parametrize("place", [".", "graded", "deep/graded", ".."])
 def test_results_among_the_answers_are_no_hand_ins(
-    place: str, exercise: Exercise, hand_ins: Path, judges: Judges
+    place: str, exercise: Exercise, hand_ins: Path, judges: ScriptedBackend
 ) -> None:
     out = hand_ins / place
     for _ in range(2):
@@ -601,7 +603,7 @@ def test_results_among_the_answers_are_no_hand_ins(
 
 
 def test_a_result_without_a_hand_in_is_named_and_left_out(
-    exercise: Exercise, hand_ins: Path, judges: Judges, tmp_path: Path
+    exercise: Exercise, hand_ins: Path, judges: ScriptedBackend, tmp_path: Path
 ) -> None:
     out = hand_ins.parent / "out"
 

@@ -24,7 +24,7 @@ from workbook.watching import observer
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
-DOUBT = "this machine was busy"
+REASON = "this machine was busy"
 RECORDING = Recording.load(ROOT / "tests" / "recordings" / STEM / "solution.json")
 FULL = judge_recording(load_exercise(STEM, ROOT), "a" * 64, RECORDING)
 RATE, END = "joint_rate", "alive_at_end"
@@ -49,7 +49,10 @@ HIGH, LOW = lost(), lost(RATE)
 CRASHED, LOW_CRASHED = (
     lost(END, *names, inconclusive_reason="it crashed at its end", end_only=True) for names in ((), (RATE,))
 )
-DISTURBED, WORSE = lost(RATE, inconclusive_reason=DOUBT), lost(RATE, "status_kept", inconclusive_reason=DOUBT)
+DISTURBED, WORSE = (
+    lost(RATE, inconclusive_reason=REASON),
+    lost(RATE, "status_kept", inconclusive_reason=REASON),
+)
 NOT_JUDGED = replace(FULL, status="infra_error", reason="the slot is gone", criteria=(), recording=None)
 
 

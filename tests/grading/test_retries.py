@@ -28,7 +28,7 @@ from workbook.recording.recording import Recording
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 EXERCISE = load_exercise(STEM, ROOT)
-DOUBT = "this machine was so busy that the judge itself had to wait for 0.80 s"
+REASON = "this machine was so busy that the judge itself had to wait for 0.80 s"
 
 
 def judgement(recording: str, inconclusive_reason: str = "") -> Judgement:
@@ -37,7 +37,7 @@ def judgement(recording: str, inconclusive_reason: str = "") -> Judgement:
 
 
 GOOD, POOR = judgement("solution"), judgement("period_for_frequency")
-DOUBTFUL = judgement("period_for_frequency", DOUBT)
+INCONCLUSIVE = judgement("period_for_frequency", REASON)
 CRASHED = replace(judgement("period_for_frequency", "it crashed"), end_only=True)
 LOST = Judgement(STEM, "a" * 64, "infra_error", "the slot is gone", (), None)
 
@@ -70,7 +70,7 @@ def made(
 
 FULL, LOW = made(), made(walks=2.0)
 END, LOW_END = (made(walks, 0.0, inconclusive_reason="it crashed", end_only=True) for walks in (5.0, 2.0))
-BUSY, LOW_BUSY, ZERO_BUSY = (made(walks, inconclusive_reason=DOUBT) for walks in (4.0, 2.0, 0.0))
+BUSY, LOW_BUSY, ZERO_BUSY = (made(walks, inconclusive_reason=REASON) for walks in (4.0, 2.0, 0.0))
 EVERY = (FULL, LOW, END, LOW_END, BUSY, LOW_BUSY, LOST)
 
 
@@ -137,7 +137,7 @@ def test_no_luck_and_no_disturbance_earns_a_point(tries: tuple[Judgement, ...]) 
 def test_what_every_end_shows_leaves_no_doubt() -> None:
     assert counting((END, END, END)).inconclusive_reason == ""
     assert counting((END, LOST, END)).inconclusive_reason == "it crashed"
-    assert counting((LOW_BUSY, LOW_BUSY, LOW_BUSY)).inconclusive_reason == DOUBT
+    assert counting((LOW_BUSY, LOW_BUSY, LOW_BUSY)).inconclusive_reason == REASON
 
 
 def test_only_what_is_in_doubt_is_tried_again_and_after_all_others() -> None:
@@ -146,7 +146,7 @@ def test_only_what_is_in_doubt_is_tried_again_and_after_all_others() -> None:
     def judge(jobs: Sequence[Job[str]]) -> Iterator[tuple[Job[str], Judgement]]:
         rounds.append([job.key for job in jobs])
         for job in jobs:
-            yield job, DOUBTFUL if job.key == "doubtful" else POOR
+            yield job, INCONCLUSIVE if job.key == "doubtful" else POOR
 
     jobs = [Job(name, STEM, Answer("x = 1\n")) for name in ("doubtful", "poor", "poor too")]
     found = {job.key: len(tries) for job, tries in judge_until_sure(jobs, judge)}
@@ -161,7 +161,7 @@ def test_a_run_that_is_stopped_before_the_second_try_leaves_the_answer_to_the_ne
         nonlocal rounds
         rounds += 1
         if rounds == 1:
-            yield from ((job, DOUBTFUL) for job in jobs)
+            yield from ((job, INCONCLUSIVE) for job in jobs)
 
     assert list(judge_until_sure([Job("one", STEM, Answer("x = 1\n"))], judge)) == []
     assert rounds == 2
@@ -203,14 +203,14 @@ def test_there_are_three_tries_at_most_for_a_class_and_for_a_student(
 # --- the gradebook --------------------------------------------------------------------------------------------------
 
 
-class Judges:
+class ScriptedBackend:
     """Gives each student (by name) a judgment from `tries`: in the first round the first, in the second the second."""
 
     tries: dict[str, tuple[Judgement, ...]] = {  # noqa: RUF012
-        "joint_positions_ada": (DOUBTFUL, GOOD),
-        "joint_positions_bob": (DOUBTFUL, POOR),
+        "joint_positions_ada": (INCONCLUSIVE, GOOD),
+        "joint_positions_bob": (INCONCLUSIVE, POOR),
         "joint_positions_eve": (POOR,),
-        "joint_positions_mia": (DOUBTFUL, LOST, LOST, POOR),
+        "joint_positions_mia": (INCONCLUSIVE, LOST, LOST, POOR),
         "joint_positions_zoe": (CRASHED, GOOD),
     }
 
@@ -230,17 +230,17 @@ class Judges:
 def graded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> tuple[Path, str]:
-    judges = Judges()
+    judges = ScriptedBackend()
     monkeypatch.setattr(scheduler, "judge_all", judges)
     folder = tmp_path / "class"
     folder.mkdir()
-    for student in Judges.tries:
+    for student in ScriptedBackend.tries:
         (folder / f"{student}.py").write_text(f"# {student}\n")
     out = tmp_path / "out"
     command = ["grade", str(folder), "--out", str(out), "--format", "html", "--isolation", "limits"]
     assert main(command) == 1, "the answer of mia was not judged"
     told = capsys.readouterr().out
-    once = sorted(student for student, tries in Judges.tries.items() for _ in tries[:3])
+    once = sorted(student for student, tries in ScriptedBackend.tries.items() for _ in tries[:3])
     assert sorted(judges.asked) == once
     later = shutil.copytree(out, tmp_path / "later")
     assert main([str(later) if one == str(out) else one for one in command]) == 0
@@ -259,14 +259,14 @@ def test_each_answer_has_one_line_with_all_tries_and_recordings(graded: tuple[Pa
     assert ada.inconclusive_reason == ""
     assert [one.counts for one in ada.tries] == [False, True]
     assert [one.score for one in ada.tries] == [8, 10]
-    assert ada.tries[0].inconclusive_reason == DOUBT
+    assert ada.tries[0].inconclusive_reason == REASON
     assert ada.tries[1].recording == ada.recording != ada.tries[0].recording
     for one in ada.tries:
         assert one.recording is not None
         assert json.loads((out / one.recording).read_text())["format"] == 1
         assert [each.id for each in one.criteria] == [each.id for each in ada.criteria]
     assert results["mia"].status == "infra_error"
-    assert [one.inconclusive_reason for one in results["mia"].tries] == [DOUBT, "", ""]
+    assert [one.inconclusive_reason for one in results["mia"].tries] == [REASON, "", ""]
     assert not any(one.counts for one in results["mia"].tries)
     assert [one.counts for one in results["zoe"].tries] == [True, False]
     assert [one.end_only for one in results["zoe"].tries] == [True, False]
@@ -288,8 +288,8 @@ def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[P
     assert {name: row["tries"] for name, row in rows.items()} == {
         "ada": "2", "bob": "2", "eve": "1", "mia": "", "zoe": "2",
     }  # fmt: skip
-    assert DOUBT in rows["bob"]["remark"]
-    assert DOUBT in rows["mia"]["remark"]
+    assert REASON in rows["bob"]["remark"]
+    assert REASON in rows["mia"]["remark"]
     assert "The first one counts, because it is the lowest" in rows["zoe"]["remark"]
     assert rows["eve"]["remark"] == ""
     page = (out / "pages" / "class.html").read_text()
@@ -330,37 +330,40 @@ def test_regrading_judges_both_recordings_again(graded: tuple[Path, str]) -> Non
 
 
 def test_a_card_and_a_terminal_tell_of_the_doubt() -> None:
-    for text in (as_html(DOUBTFUL), as_text(DOUBTFUL)):
-        assert f"Inconclusive: {DOUBT}. This may not be the program" in " ".join(text.split())
+    for text in (as_html(INCONCLUSIVE), as_text(INCONCLUSIVE)):
+        assert f"Inconclusive: {REASON}. This may not be the program" in " ".join(text.split())
     for text in (as_html(POOR), as_text(POOR)):
         assert "Inconclusive" not in text
 
 
 def test_a_card_and_a_terminal_tell_that_it_is_being_tried_again() -> None:
-    for text in (as_html(judgement_as_provisional(DOUBTFUL)), as_text(judgement_as_provisional(DOUBTFUL))):
-        assert f"Inconclusive: {DOUBT}. Your program is judged once more" in " ".join(text.split())
+    for text in (
+        as_html(judgement_as_provisional(INCONCLUSIVE)),
+        as_text(judgement_as_provisional(INCONCLUSIVE)),
+    ):
+        assert f"Inconclusive: {REASON}. Your program is judged once more" in " ".join(text.split())
         assert "another try decides" not in text
 
 
 @pytest.mark.parametrize(("second", "counts"), [(GOOD, GOOD), (POOR, POOR)])
 def test_a_student_who_checks_gets_the_second_try_at_once(second: Judgement, counts: Judgement) -> None:
-    tries, told = [DOUBTFUL, second], list[Judgement]()
+    tries, told = [INCONCLUSIVE, second], list[Judgement]()
     assert until_sure(lambda: tries.pop(0), told.append) == counts
     assert tries == []
-    assert told == [judgement_as_provisional(DOUBTFUL)]
+    assert told == [judgement_as_provisional(INCONCLUSIVE)]
 
 
-@pytest.mark.parametrize(("third", "counts"), [(GOOD, GOOD), (DOUBTFUL, DOUBTFUL)])
+@pytest.mark.parametrize(("third", "counts"), [(GOOD, GOOD), (INCONCLUSIVE, INCONCLUSIVE)])
 def test_a_student_who_checks_gets_a_third_try_and_no_fourth(third: Judgement, counts: Judgement) -> None:
-    tries, told = [DOUBTFUL, DOUBTFUL, third, GOOD], list[Judgement]()
+    tries, told = [INCONCLUSIVE, INCONCLUSIVE, third, GOOD], list[Judgement]()
     assert until_sure(lambda: tries.pop(0), told.append) == counts
     assert tries == [GOOD]
-    assert told == 2 * [judgement_as_provisional(DOUBTFUL)]
+    assert told == 2 * [judgement_as_provisional(INCONCLUSIVE)]
 
 
 def test_a_check_that_a_newer_one_waits_for_has_no_further_try() -> None:
-    tries, told = [DOUBTFUL, GOOD], list[Judgement]()
-    assert until_sure(lambda: tries.pop(0), told.append, stop=lambda: True) == DOUBTFUL
+    tries, told = [INCONCLUSIVE, GOOD], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append, stop=lambda: True) == INCONCLUSIVE
     assert tries == [GOOD]
     assert told == []
 
@@ -374,4 +377,4 @@ def test_a_student_who_checks_waits_for_no_second_try_of_what_is_sure(sure: Judg
 
 
 def test_a_doubt_survives_the_way_between_processes() -> None:
-    assert judgement_from_json(json.loads(json.dumps(judgement_to_json(DOUBTFUL)))) == DOUBTFUL
+    assert judgement_from_json(json.loads(json.dumps(judgement_to_json(INCONCLUSIVE)))) == INCONCLUSIVE

@@ -116,7 +116,7 @@ def test_slots_that_are_free_are_used_again(monkeypatch: pytest.MonkeyPatch) -> 
     judge = FakeJudge(most=0)
     monkeypatch.setattr(pool, "judge_with_retry", judge)
     assert len(list(judge_all(jobs(40), 1))) == 40
-    assert len(judge.slots) <= 1 + scheduler.WAITING_PER_PLACE
+    assert len(judge.slots) <= 1 + scheduler.WAITING_PER_SLOT
 
 
 def test_little_memory_no_slot_beside_the_places(monkeypatch: pytest.MonkeyPatch) -> None:

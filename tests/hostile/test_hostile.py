@@ -43,7 +43,7 @@ IN_EVERY_RUN = {
 }
 """One answer for each kind of target. `make test` runs only these; the whole run includes the others."""
 SLOTS = 2 * (os.cpu_count() or 1)
-THOROUGH_SLOTS = os.cpu_count() or 1
+SOAK_SLOTS = os.cpu_count() or 1
 NEIGHBORS = 4
 LOOK_EVERY_S = 0.3
 FORGED = ("results.json", "results.jsonl", "grades.csv", "rclpy.py")
@@ -164,7 +164,7 @@ def aftermath(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathF
             with ThreadPoolExecutor(2) as both:
                 under_way = [
                     both.submit(judge, quick, SLOTS, False),
-                    both.submit(judge, soak, THOROUGH_SLOTS, True),
+                    both.submit(judge, soak, SOAK_SLOTS, True),
                 ]
             for one in under_way:
                 one.result()

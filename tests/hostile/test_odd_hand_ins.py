@@ -17,7 +17,7 @@ import pytest
 
 from workbook.exercise import answers, notebook_cells
 from workbook.exercise.answers import Ungradable, exercises_named, read_answer
-from workbook.grading.hand_ins import find_hand_ins, hand_in_named
+from workbook.grading.hand_ins import all_hand_ins, hand_in_named, one_for_each
 from workbook.grading.skipped import find_skipped
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.recording.plain_text import without_commands
@@ -136,7 +136,7 @@ def test_nothing_that_is_printed_commands_the_terminal(
 
 
 def problem_of(folder: Path, student: str = "s1") -> str:
-    [found] = [one for one in find_hand_ins([folder], STEM) if one.student == student]
+    [found] = [one for one in one_for_each(all_hand_ins([folder], STEM)) if one.student == student]
     return found.problem or ""
 
 
@@ -162,7 +162,7 @@ def test_files_with_names_of_modules_are_no_answers(tmp_path: Path) -> None:
     (student / "evil.pth").write_text("import os; os._exit(0)\n")
     assert "a name that no ROS or Python module has" in problem_of(tmp_path)
     (student / "mine.py").write_text("print()\n")
-    [found] = find_hand_ins([tmp_path], STEM)
+    [found] = one_for_each(all_hand_ins([tmp_path], STEM))
     assert (found.problem, found.path.name) == (None, "mine.py")
 
 
@@ -172,7 +172,7 @@ def test_a_link_is_no_answer(tmp_path: Path, target: str) -> None:
         (tmp_path / student).mkdir()
     (tmp_path / "s2" / "answer.py").write_text("print('the work of s2')\n")
     (tmp_path / "s1" / "answer.py").symlink_to(target)
-    found = {one.student: one for one in find_hand_ins([tmp_path], STEM)}
+    found = {one.student: one for one in one_for_each(all_hand_ins([tmp_path], STEM))}
     assert read_answer(found["s2"].path, STEM).text == "print('the work of s2')\n"
     with pytest.raises(Ungradable, match="not a regular file"):
         read_answer(found["s1"].path, STEM)
@@ -205,12 +205,12 @@ def test_folders_without_end_stop_nobody(tmp_path: Path) -> None:
         (tmp_path / "s2" / "a" / "back").symlink_to("..")
         (tmp_path / "s2" / "a" / "itself.py").symlink_to("itself.py")
         os.mkfifo(tmp_path / "s3.py")
-        found = {one.student: one for one in find_hand_ins([tmp_path], STEM)}
+        found = {one.student: one for one in one_for_each(all_hand_ins([tmp_path], STEM))}
         assert find_skipped([tmp_path]) == []
         assert "holds no .py" in (found["s1"].problem or "")
         assert found["s2"].problem is not None and "itself.py" in found["s2"].problem
         (tmp_path / "s2" / "a" / "itself.py").unlink()
-        [second] = [one for one in find_hand_ins([tmp_path], STEM) if one.student == "s2"]
+        [second] = [one for one in one_for_each(all_hand_ins([tmp_path], STEM)) if one.student == "s2"]
         assert read_answer(second.path, STEM).text == CANNOT_RUN
         with pytest.raises(Ungradable, match="not a regular file"):
             read_answer(found["s3"].path, STEM)

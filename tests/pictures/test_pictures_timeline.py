@@ -122,7 +122,7 @@ def test_the_clock_and_the_log_are_not_drawn_unasked() -> None:
     assert png.size(timeline.timeline(noisy))[1] == png.size(timeline.timeline(recording({STATUS: [1.0]})))[1]
 
 
-def test_the_end_of_the_program_is_marked_in_robot_time() -> None:
+def test_the_end_of_the_program_is_marked_in_simulated_time() -> None:
     died = ProcessRecord(exit=1, ended_at=0.5 + 1.25, ended_by="itself")
     record = recording({STATUS: range(1, 12)}, process=died)
     assert timeline.process_end(record) == pytest.approx(12.5)

@@ -106,7 +106,7 @@ def test_a_pace_that_changes_once_follows_as_well() -> None:
 
 @pytest.mark.parametrize("ratio", [2.0, 3.0])
 @pytest.mark.parametrize("change", [9.0, 13.0, 27.0, 40.0, 63.0])
-def test_nor_does_a_change_make_the_wall_clock_look_like_robot_time(change: float, ratio: float) -> None:
+def test_nor_does_a_change_make_the_wall_clock_look_like_simulated_time(change: float, ratio: float) -> None:
     """Published every 0.02 real seconds, and later half as often."""
     stretches = [Stretch(40.0 if n % 2 == 0 else 40.0 / ratio, 9.0 * n, 9.0 * (n + 1)) for n in range(8)]
     first, then = (of_the_wall_clock(period, stretches) for period in (0.02, 0.04))

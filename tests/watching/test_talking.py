@@ -232,7 +232,7 @@ def test_the_parts_of_a_script_share_one_delay(bench: Node) -> None:
     assert player.late_s == pytest.approx(0.9)
 
 
-def test_on_robot_time_all_that_is_due_is_said(bench: Node) -> None:
+def test_on_simulated_time_all_that_is_due_is_said(bench: Node) -> None:
     script = Script((publish("/robot/level", Float32, [(1.0, 1.0), (1.1, 2.0), (1.2, 3.0)]),))
     player = ScriptPlayer(bench, script, lambda moment: moment)
     player.play(1.15)

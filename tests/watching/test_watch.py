@@ -139,7 +139,7 @@ def real_speed(recording: Recording, stretch: Stretch) -> float:
     return (heard[-1].t - heard[0].t) / (heard[-1].wall - heard[0].wall)
 
 
-def test_two_timers_on_robot_time_are_recorded_exactly(watched: Watched) -> None:
+def test_two_timers_on_simulated_time_are_recorded_exactly(watched: Watched) -> None:
     recording = watched(TWO_TIMERS)
     assert recording.follows_clock
     assert recording.watched_s == 9.0
@@ -260,7 +260,7 @@ def test_the_slow_pace_lasts_as_long_as_a_topic_has_proved_nothing(watched: Watc
     assert ends_of_the_second_half(recording) == [17.0]
 
 
-def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched) -> None:
+def test_a_slow_topic_gets_more_simulated_time_which_is_not_judged(watched: Watched) -> None:
     """In the 9 judged seconds, two messages with a period of 4 s prove nothing, so the clock runs on until they do."""
     recording = watched(TWO_TIMERS.replace("create_timer(1.0,", "create_timer(4.0,"))
     assert recording.watched_s == 9.0
@@ -269,7 +269,7 @@ def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched)
     assert recording.following == {"/battery": True, "/status": True}
 
 
-def test_robot_time_waits_for_a_program_that_is_slow_to_set_up(watched: Watched) -> None:
+def test_simulated_time_waits_for_a_program_that_is_slow_to_set_up(watched: Watched) -> None:
     slow = "        time.sleep(2.0)\n        self.battery_pub"
     recording = watched("import time\n" + TWO_TIMERS.replace("        self.battery_pub", slow, 1))
     assert recording.follows_clock

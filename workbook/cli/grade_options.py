@@ -46,7 +46,7 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         "--slots",
         metavar="N",
         type=int,
-        help=f"answers judged in parallel (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
+        help=f"answers judged in parallel (default: {SLOTS_PER_CORE['simulated']} per core in simulated time, "
         f"{SLOTS_PER_CORE['wall']} per core on the wall clock, and more while processors are idle). Answers that are "
         "only watched in real time don't count. With uid and landlock, the default is 1",
     )

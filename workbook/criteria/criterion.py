@@ -9,7 +9,7 @@ from typing import Any
 from workbook.criteria.verdict import Verdict
 from workbook.recording.plan import BYTES_PER_TOPIC, STEPS_PER_PERIOD, Feature, Plan
 from workbook.recording.recording import Recording
-from workbook.recording.script import NOTHING_SAID, Part, Script
+from workbook.recording.script import EMPTY_SCRIPT, Part, Script
 from workbook.recording.type_names import type_name
 
 CriterionFunction = Callable[[Recording], Verdict]
@@ -126,7 +126,7 @@ class Watching:
     simulated_seconds: float | None = None
     wall_seconds: float | None = None
     to_the_end: bool = False
-    script: Script | Draw = NOTHING_SAID
+    script: Script | Draw = EMPTY_SCRIPT
     bytes_per_topic: int = BYTES_PER_TOPIC
     steps_per_period: int = STEPS_PER_PERIOD
 
@@ -200,7 +200,7 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         max(periods),
         how.simulated_seconds,
         how.wall_seconds,
-        how.script if isinstance(how.script, Script) else NOTHING_SAID,
+        how.script if isinstance(how.script, Script) else EMPTY_SCRIPT,
         how.to_the_end,
         tuple(one.name for one in declared if one.hz is not None),
         how.bytes_per_topic,

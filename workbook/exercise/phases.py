@@ -31,7 +31,7 @@ from workbook.exercise.two_runs import (
     plan_on_wall_clock,
     second_start_decides,
     wall_clock_decides,
-    with_doubt,
+    with_inconclusive_reason,
 )
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
@@ -135,7 +135,7 @@ class SimulatedTime:
             return WallClock(case, judgement)
         judgement = case.ended(watch, judgement)
         if not case.soak or not needs_second_start(judgement):
-            return case.concluded(with_doubt(case.exercise, judgement))
+            return case.concluded(with_inconclusive_reason(case.exercise, judgement))
         if case.exercise.to_the_end:
             case.report(judgement)
         return SecondStart(case, judgement)
@@ -179,7 +179,7 @@ class SecondStart:
         case = self.case
         on_wall = replace(case.observed(watch, case.cancel_soak), watched_real_life=True)
         if case.cancel_soak():
-            return case.concluded(with_doubt(case.exercise, self.on_simulated))
+            return case.concluded(with_inconclusive_reason(case.exercise, self.on_simulated))
         return case.concluded(second_start_decides(case.exercise, self.on_simulated, on_wall))
 
 

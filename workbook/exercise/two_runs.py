@@ -90,7 +90,9 @@ def plan_of_second_start(exercise: Exercise, on_simulated: Judgement) -> Plan:
 # --- their combined meaning ---------------------------------------------------------------------------------------
 
 
-def with_doubt(exercise: Exercise, judgement: Judgement, on_simulated: Judgement | None = None) -> Judgement:
+def with_inconclusive_reason(
+    exercise: Exercise, judgement: Judgement, on_simulated: Judgement | None = None
+) -> Judgement:
     """Return the judgment with the reason, if any, why it's inconclusive.
 
     `on_simulated`: the same program's judgment in simulated time.
@@ -122,7 +124,7 @@ def wall_clock_decides(exercise: Exercise, on_simulated: Judgement | None, on_wa
     """
     if on_simulated is not None:
         on_wall = _with_what_simulated_time_proved(on_simulated, on_wall)
-    return with_doubt(exercise, on_wall, on_simulated)
+    return with_inconclusive_reason(exercise, on_wall, on_simulated)
 
 
 def second_start_decides(exercise: Exercise, on_simulated: Judgement, on_wall: Judgement) -> Judgement:
@@ -132,12 +134,14 @@ def second_start_decides(exercise: Exercise, on_simulated: Judgement, on_wall: J
     if the second process exited by itself or hit a limit, the second exit counts.
     """
     if on_wall.status != "graded" or _contradicts(exercise, on_simulated, on_wall):
-        return with_doubt(exercise, on_wall)
+        return with_inconclusive_reason(exercise, on_wall)
     simulated, real = _recordings(on_simulated, on_wall)
     ended = real.process.ended_by == "itself" or real.process.limits_hit
     process = real.process if ended else replace(simulated.process, watched_for=real.process.watched_for)
     both = replace(simulated, process=process)
-    return with_doubt(exercise, judge_recording(exercise, on_simulated.answer_sha256, both, real_life=True))
+    return with_inconclusive_reason(
+        exercise, judge_recording(exercise, on_simulated.answer_sha256, both, real_life=True)
+    )
 
 
 def _with_what_simulated_time_proved(on_simulated: Judgement, on_wall: Judgement) -> Judgement:

@@ -137,7 +137,7 @@ class Result:
     @property
     def tries_differ(self) -> bool:
         """Whether the answer was judged more than once and got different scores."""
-        return len({_told(one) for one in self.tries}) > 1
+        return len({_described(one) for one in self.tries}) > 1
 
     @property
     def isolation_problem(self) -> str:
@@ -154,14 +154,14 @@ class Result:
         if len(self.tries) < 2:
             return ""
         often = "twice" if len(self.tries) == 2 else f"{len(self.tries)} times"
-        told = ", then ".join(map(_told, self.tries))
+        told = ", then ".join(map(_described, self.tries))
         kept = f" {self.why_this_try}" if self.why_this_try else ""
         second = " So was the second." if self.tries[1].inconclusive_reason else ""
         reason = self.tries[0].inconclusive_reason
         return f"Tried {often}: {told}.{kept} The first try was inconclusive ({reason}).{second}"
 
 
-def _told(one: Try) -> str:
+def _described(one: Try) -> str:
     return "not judged" if one.score is None else f"{one.score:g} points"
 
 

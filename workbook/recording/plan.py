@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from workbook.recording.script import NOTHING_SAID, Script
+from workbook.recording.script import EMPTY_SCRIPT, Script
 
 SPEEDS = (9.0, 20.0)
 """The speeds of simulated time (simulated seconds per real second) for a program that never comes to rest.
@@ -61,7 +61,7 @@ class Plan:
     longest_period: float
     simulated_seconds: float | None = None
     wall_seconds: float | None = None
-    script: Script = NOTHING_SAID
+    script: Script = EMPTY_SCRIPT
     to_the_end: bool = False
     paced: tuple[str, ...] = ()
     bytes_per_topic: int = BYTES_PER_TOPIC

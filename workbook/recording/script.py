@@ -89,7 +89,7 @@ class Script:
         return *publish, *(part.service for part in self.parts if not isinstance(part, Publishes))
 
 
-NOTHING_SAID = Script()
+EMPTY_SCRIPT = Script()
 
 
 def publish(

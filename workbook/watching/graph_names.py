@@ -20,7 +20,7 @@ NO_NAME = (ValueError, TypeError, NameValidationException)
 PREFIX_BYTES = 12
 """The length of a GID's first part, which is the same for all endpoints of one DDS participant."""
 _NAMES_REMEMBERED = 10_000
-Told = TypeVar("Told")
+Found = TypeVar("Found")
 
 
 def own_prefix(node: Node) -> bytes:
@@ -38,7 +38,7 @@ def own_prefix(node: Node) -> bytes:
             return found.pop()
 
 
-def or_default(ask: Callable[[], Told], otherwise: Told) -> Told:
+def or_default(ask: Callable[[], Found], otherwise: Found) -> Found:
     """Query the graph with `ask`, and return the result, or `otherwise` if the result contains an invalid name."""
     try:
         return ask()

@@ -54,9 +54,9 @@ class State(enum.Enum):
 class RestDetector:
     """Waits until a program, whose first process is `pid`, is quiet or at rest.
 
-    `never_in_vain`: whether the program was at rest after each call of `wait` so far. `slept_s` and `longest_nap_s`: the total
-    and the longest time (s) that we waited for a sleeping thread before the program came to rest. If the threads'
-    states can't be read, all threads count as quiet.
+    `never_in_vain`: whether the program was at rest after each call of `wait` so far. `slept_s` and `longest_nap_s`:
+    the total and the longest time (s) that we waited for a sleeping thread before the program came to rest. If the
+    threads' states can't be read, all threads count as quiet.
     """
 
     def __init__(self, pid: int) -> None:

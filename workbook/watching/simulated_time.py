@@ -29,7 +29,7 @@ Because of this limit, a publisher that can't be connected doesn't delay the clo
 MOST_REAL_S = 40.0
 """The most real time (s) that a watch in simulated time may take. After that, the wall clock judges the program."""
 CLEARLY_FASTER = 2.0
-"""If CPU time and sleep together exceed the simulated time divided by this, the program may be too slow in real time."""
+"""If CPU time and sleep together exceed simulated time divided by this, the program may be too slow in real time."""
 LEAST_TAKEN_S = 0.5
 """`CLEARLY_FASTER` is applied only once a program has worked and slept for this long (s)."""
 LONGEST_NAP_PERIODS = 0.5

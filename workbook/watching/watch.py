@@ -80,7 +80,7 @@ class Watch:
                 self._run_simulated_time(self._session.clock)
             else:
                 run_wall_time(self._session, self._plan.wall_s, cancel_soak)
-                self._run_until_all_is_said(cancel_soak)
+                self._run_until_script_ends(cancel_soak)
         if not self._recorder.any_publisher() or not all(map(self._recorder.matched, self._plan.topics)):
             self._process.domains_used()
         return self._with_what_is_kept(self.recording())
@@ -94,7 +94,7 @@ class Watch:
         late = {name: replace(recording.topic(name), kept=count) for name, count in kept.items()}
         return replace(recording, topics={**recording.topics, **late})
 
-    def _run_until_all_is_said(self, cancel_soak: Callable[[], bool]) -> None:
+    def _run_until_script_ends(self, cancel_soak: Callable[[], bool]) -> None:
         until = time.monotonic() + MOST_DELAYED_S
         while self._process.is_running() and (left := left_to_watch(self._session)) > 0:
             allowed = until - time.monotonic()

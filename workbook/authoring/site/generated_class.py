@@ -15,7 +15,7 @@ from workbook.recording.recording import Recording, TopicRecording
 STEM = "09_joint_positions"
 SIZE = 40
 JOINTS, STATUS = "/robot/joint_positions", "/robot/status"
-DOUBT = "this machine was so busy that the judge itself had to wait for 0.80 s"
+REASON = "this machine was so busy that the judge itself had to wait for 0.80 s"
 NAMES = (
     "Ada Lovelace", "Grace Hopper", "Katherine Johnson", "Emmy Noether", "Hedy Lamarr", "Joan Clarke",
     "Radia Perlman", "Mary Jackson", "Annie Easley", "Evelyn Boyd Granville", "نور الهاشمي", "王小明", "<b>Bobby</b>",
@@ -86,7 +86,7 @@ def generated_class(exercise: Exercise, out: Path) -> Iterator[Result]:
         judgement = judge_recording(exercise, "a" * 64, stored)
         tries = [judgement]
         if number % 20 == 5:
-            doubtful = replace(judgement, inconclusive_reason=DOUBT)
-            tries = [doubtful, doubtful]
+            inconclusive = replace(judgement, inconclusive_reason=REASON)
+            tries = [inconclusive, inconclusive]
         yield graded_result(submission, tries, by)
     yield ungradable_result(Submission("Zuse", "answers/zuse.py", ""), "the file is empty", by)

@@ -17,7 +17,7 @@ from workbook.exercise.definition import OWN_CRITERIA
 from workbook.exercise.judgement import Judgement, Report
 from workbook.grading.slots.health import SlotHealth
 from workbook.grading.slots.protocol import (
-    ENOUGH,
+    CANCEL_SOAK,
     JudgingOrder,
     LineReader,
     Message,
@@ -373,7 +373,7 @@ class Slot:
     def cancel_soak(self) -> None:
         """Cancel the real-time watch of the judged program. Thread-safe."""
         with contextlib.suppress(OSError, ValueError):
-            self._send(line_of(ENOUGH))
+            self._send(line_of(CANCEL_SOAK))
 
     def close(self) -> None:
         """Stop the slot by closing its input. If it's still running after two seconds, kill it."""

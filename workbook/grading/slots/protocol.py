@@ -1,10 +1,10 @@
 """Define the messages between a slot, which judges answers, and its owner, the process that started it.
 
 A message is a line of JSON. The owner sends a `JudgingOrder` for each answer. To cancel the real-time watch of a judged
-program, it sends ENOUGH. The slot's first line says that it's ready, or why it can't start: `{"broken": "No ROS domain
-is free…"}`. If the slot was asked to test its isolation tier, that line also says why the tier doesn't work, if it
-doesn't. Then, for each order, the slot sends any number of lines with progress or preliminary judgments. The last line
-for an order has `"final": true`.
+program, it sends CANCEL_SOAK. The slot's first line says that it's ready, or why it can't start: `{"broken": "No ROS
+domain is free…"}`. If the slot was asked to test its isolation tier, that line also says why the tier doesn't work, if
+it doesn't. Then, for each order, the slot sends any number of lines with progress or preliminary judgments. The last
+line for an order has `"final": true`.
 """
 
 import json
@@ -22,7 +22,7 @@ Message = Mapping[str, Any]
 LONGEST_LINE = 200_000_000
 """The maximum size of a line, in bytes. A judgment contains its recording, which keeps up to 1 MB for each topic."""
 CHUNK_BYTES = 1 << 20
-ENOUGH: Message = {"cancel_soak": True}
+CANCEL_SOAK: Message = {"cancel_soak": True}
 PLUMBING = "/driver/"
 """The prefix of the topics on which a driver, which calls an answer's functions, exchanges messages with the judge."""
 

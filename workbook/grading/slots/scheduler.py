@@ -27,13 +27,13 @@ from workbook.inside.proc import available_memory_bytes, idle_and_all_s
 from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
-WAITING_PER_PLACE = 8
-"""The maximum number of answers per place that are in their real-time watch.
+WAITING_PER_SLOT = 8
+"""The maximum number of answers per slot that are in their real-time watch.
 
-The watch takes 8 s, after about one second of work in the place.
+The watch takes 8 s, after about one second of work in the slot.
 """
-MORE_PER_PLACE = 2
-"""The maximum number of additional answers per place that run while processors are idle.
+MORE_PER_SLOT = 2
+"""The maximum number of additional answers per slot that run while processors are idle.
 
 This number is limited because a process in a container sees all processors, even if it may use only some of them.
 """
@@ -123,7 +123,7 @@ class WorkPermits:
                 self._changed.wait(None if self._spare is None else LOOK_S)
 
     def _may_work(self) -> bool:
-        if self._free <= -MORE_PER_PLACE * self._at_work:
+        if self._free <= -MORE_PER_SLOT * self._at_work:
             return False
         return self._free > 0 or (self._spare is not None and self._spare())
 
@@ -246,7 +246,7 @@ class _AnswersOfRun(Generic[Key]):
         self._are_idle = IdleProcessors()
         self._pool = SlotPool()
         self._permits = WorkPermits(slots, self._warm, self._has_room, self._has_spare if fills else None)
-        for_each = 1 + (WAITING_PER_PLACE if soak else 0) + (MORE_PER_PLACE if fills else 0)
+        for_each = 1 + (WAITING_PER_SLOT if soak else 0) + (MORE_PER_SLOT if fills else 0)
         self.most_at_once = min(slots * for_each, max(1, len(jobs)))
         if meets_others(isolation):
             self.most_at_once = 1  # even an answer in its real-time watch could send messages to another

@@ -42,7 +42,7 @@ from workbook.grading.slots.protocol import (
     line_of,
     progress_message,
 )
-from workbook.grading.slots.scheduler import WAITING_PER_PLACE, Permit, WorkPermits, fits_in_memory
+from workbook.grading.slots.scheduler import WAITING_PER_SLOT, Permit, WorkPermits, fits_in_memory
 from workbook.isolation.tiers import Isolation, named_tier
 
 ADDRESS = "WORKBOOK_CHECK_SERVICE"
@@ -165,7 +165,7 @@ class CheckService:
         self.path.unlink(missing_ok=True)
         self.pool = SlotPool()
         self._kind = Kind(isolation)
-        self._most_programs = slots * (1 + WAITING_PER_PLACE)
+        self._most_programs = slots * (1 + WAITING_PER_SLOT)
         self._permits = WorkPermits(
             slots, lambda: self.pool.take_warm(self._kind), lambda _: fits_in_memory()
         )

@@ -26,7 +26,7 @@ from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.judging import Judge
 from workbook.grading.slots.protocol import (
-    ENOUGH,
+    CANCEL_SOAK,
     JudgingOrder,
     Message,
     Progress,
@@ -82,7 +82,7 @@ class _Inbox:
     def _read(self) -> None:
         for line in sys.stdin:
             message = json.loads(line)
-            if message == ENOUGH:
+            if message == CANCEL_SOAK:
                 self.cancel_soak.set()
             else:
                 self.jobs.put(JudgingOrder(**message))
