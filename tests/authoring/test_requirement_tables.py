@@ -283,6 +283,7 @@ def test_a_sentence_may_run_over_lines() -> None:
         ("Don’t change the class.", "Don't"),
         ("It can't wait.", "can't"),
         ("Change only `main`.", "only"),
+        ("Write all of it in `main`.", "Write"),
     ],
 )
 def test_a_demand_that_no_requirement_quotes_is_told(course: Tree, sentence: str, word: str) -> None:
