@@ -3,7 +3,7 @@
 import subprocess
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -119,6 +119,23 @@ def test_the_command_puts_the_best_version_back(folder: Path) -> None:
     assert "already" in subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
+Bundle = Mapping[str, Any]
+
+
+def put_on_screen(monkeypatch: pytest.MonkeyPatch, put: Callable[[Bundle], None]) -> None:
+    """Call `put` with each version of the card, in place of IPython's `display` and its handle."""
+
+    class Handle:
+        def update(self, bundle: Bundle, raw: bool) -> None:
+            put(bundle)
+
+    def display(bundle: Bundle, raw: bool, display_id: bool) -> Handle:
+        put(bundle)
+        return Handle()
+
+    monkeypatch.setattr(live_card, "display", display)
+
+
 @pytest.mark.parametrize("can_draw", [True, False])
 def test_the_card_comes_first_and_the_moving_robot_costs_no_judgement(
     folder: Path, monkeypatch: pytest.MonkeyPatch, can_draw: bool
@@ -140,7 +157,7 @@ def test_the_card_comes_first_and_the_moving_robot_costs_no_judgement(
 
     monkeypatch.setattr(checking, "judge", judge)
     monkeypatch.setattr(live_card, "film_of", draw)
-    monkeypatch.setattr(card, "_put", lambda one, _: shown.append(one._repr_html_()))
+    put_on_screen(monkeypatch, lambda bundle: shown.append(bundle["text/html"]))
     card.judge()
     assert ["Your robot moves." in page for page in shown] == (
         [False, True, False] if can_draw else [False, False]
@@ -158,10 +175,9 @@ def test_a_line_says_what_is_watched_until_the_card_comes(
         Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"))
     )
 
-    def put(one: Any, robot: object) -> None:
-        assert robot is None, "a front end that draws no robot gets none"
-        shown.append(repr(one))
-        monkeypatch.setattr(card, "_handle", object())
+    def put(bundle: Bundle) -> None:
+        assert live_card.CHECK not in bundle, "a front end that draws no robot gets none"
+        shown.append(bundle["text/plain"])
         is_blank.set()
 
     def judge(
@@ -174,7 +190,7 @@ def test_a_line_says_what_is_watched_until_the_card_comes(
         return EIGHT
 
     monkeypatch.setattr(checking, "judge", judge)
-    monkeypatch.setattr(card, "_put", put)
+    put_on_screen(monkeypatch, put)
     card.judge()
     watching = "Watching 26 seconds of your robot's life, in fast motion ..."
     assert shown[:2] == [watching, f"{watching} 12.0 s so far, 6 on /robot/joint_positions"]
@@ -191,7 +207,7 @@ def test_a_robot_moves_only_for_a_check_that_takes_long(
     card = live_card.LiveCard(
         Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"), replays=True)
     )
-    monkeypatch.setattr(card, "_put", lambda _, robot: robots.append(robot))
+    put_on_screen(monkeypatch, lambda bundle: robots.append(bundle.get(live_card.CHECK)))
 
     def judge(
         _: str, __: Answer, report: Callable[[Judgement], None], ___: object, progress: ShowProgress
@@ -207,7 +223,6 @@ def test_a_robot_moves_only_for_a_check_that_takes_long(
         return FULL
 
     monkeypatch.setattr(checking, "judge", judge)
-    monkeypatch.setattr(card, "_handle", object())
     card.judge()
     before, early, nearly_over, watched, *cards = robots
     assert before is None and early is None and nearly_over is None
