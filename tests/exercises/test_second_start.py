@@ -4,9 +4,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 
+from workbook.exercise import judging
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement
@@ -64,7 +66,7 @@ def ended(at_s: float) -> ProcessRecord:
 
 @dataclass
 class StandIn:
-    """Replaces the observer and its watches: each watch returns the next recording."""
+    """Replaces the observer and the watches on it: each watch returns the next recording."""
 
     recordings: list[Recording]
     plans: list[Plan] = field(default_factory=list)
@@ -72,7 +74,9 @@ class StandIn:
     def keep_off(self, domains: object) -> None:
         pass
 
-    def watch(self, spec: object, plan: Plan, clock: str, process: object = None) -> "StandIn":
+    def watch(
+        self, observer: object, spec: object, plan: Plan, clock: str, process: object = None
+    ) -> "StandIn":
         assert clock == self.recordings[0].clock
         self.plans.append(plan)
         return self
@@ -108,7 +112,8 @@ def judged(
     """
     observer: Any = StandIn([*recordings])
     answer = Answer(EXERCISE.source.solution_code)
-    judgement = Judge(observer).judge(EXERCISE, answer, soak=soak, cancel_soak=lambda: cancel_soak)
+    with patch.object(judging, "Watch", observer.watch):
+        judgement = Judge(observer).judge(EXERCISE, answer, soak=soak, cancel_soak=lambda: cancel_soak)
     assert not observer.recordings
     assert len(observer.plans) == 1 or observer.plans[1].wall_s >= wall_s
     return judgement
