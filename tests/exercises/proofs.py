@@ -72,7 +72,7 @@ FEW_WRONG = frozenset(
 
 
 def answer_of(key: Key) -> tuple[Answer, bool]:
-    """Return an answer's text, and whether to judge it thoroughly. Raises FileNotFoundError if there is none."""
+    """Return an answer's text, and whether to judge it with a soak. Raises FileNotFoundError if there is none."""
     stem, name = key
     kind, _, file = name.partition("/")
     if kind in (SOLUTION, STARTER):

@@ -64,14 +64,14 @@ def test_a_program_that_waits_for_input_is_at_rest(code: str) -> None:
     with talking_program(code) as process, closing(RestDetector(process.pid)) as rest:
         assert rest.works
         wait_until(lambda: rest.state() is State.AT_REST)
-        assert rest.wait() is State.AT_REST
+        assert rest.wait_for_rest() is State.AT_REST
 
 
 def test_an_event_loop_that_wakes_by_itself_is_not_at_rest() -> None:
     with talking_program(POLLS) as process, closing(RestDetector(process.pid)) as rest:
         wait_until(lambda: rest.state() is State.SLEEPING)
         while rest.works:
-            assert rest.wait() is not State.AT_REST
+            assert rest.wait_for_rest() is not State.AT_REST
 
 
 @pytest.mark.parametrize("code", [SLEEPS, THREAD_SLEEPS])
@@ -80,7 +80,7 @@ def test_a_thread_that_sleeps_by_itself_is_not_at_rest(code: str) -> None:
         wait_until(lambda: rest.state() is State.SLEEPING)
         seen = []
         while rest.works:
-            seen.append(rest.wait())
+            seen.append(rest.wait_for_rest())
         assert State.AT_REST not in seen
         # On a busy machine, the main thread may not have reached its wait yet.
         assert seen.count(State.SLEEPING) == SLEEP_WAITS or seen.count(State.AT_WORK) == WORK_WAITS
@@ -90,7 +90,7 @@ def test_a_program_that_never_rests_is_given_up() -> None:
     with talking_program(WORKS) as process, closing(RestDetector(process.pid)) as rest:
         for _ in range(WORK_WAITS):
             assert rest.works
-            assert rest.wait() is State.AT_WORK
+            assert rest.wait_for_rest() is State.AT_WORK
         assert not rest.works
 
 
@@ -103,7 +103,7 @@ def test_it_waits_for_work_to_be_done() -> None:
             process.stdin.write("go\n")
             process.stdin.flush()
             deadline = time.monotonic() + 10.0
-            while rest.wait() is not State.AT_REST:
+            while rest.wait_for_rest() is not State.AT_REST:
                 assert time.monotonic() < deadline
             assert process.stdout.readline() == "done\n"
 

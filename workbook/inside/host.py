@@ -33,8 +33,8 @@ SWITCH_INTERVAL_S = 4e-5
 
 While a handler waits for a free thread, rclpy's MultiThreadedExecutor busy-waits. With Python's default of 5 ms, the
 busy thread delayed the other threads again and again, so counts were wrong and checks took 20 s. With 0.1 ms, checks
-usually took 2 s. But on one machine, the judge saw no rest within its limit and went to the wall clock.
-With 0.01 ms, programs with a single thread took 0.1 s longer.
+usually took 2 s. But on one machine, the judge saw no rest within its limit and went to the wall clock. With 0.01 ms,
+checks of programs with a single thread took 0.1 s longer.
 """
 MOST_KEY_BYTES = 64
 BEHIND_THE_KEY = bytes(512)

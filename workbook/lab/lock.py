@@ -92,10 +92,10 @@ def main() -> None:
         sections = resolve(uv, folder, project, EXTRAS)
     if changed := alone["student"].keys() ^ sections["student"].keys():
         raise SystemExit(f"An extra changes what students get: {', '.join(sorted(changed))}")
-    known = dict(sections["build"])
-    for name in ("student", *EXTRAS):
-        sections[name] = {line: hashes for line, hashes in sections[name].items() if line not in known}
-        known |= sections["student"]
+    build, known = sections["build"], sections["build"] | sections["student"]
+    sections["student"] = {line: hashes for line, hashes in sections["student"].items() if line not in build}
+    for extra in EXTRAS:
+        sections[extra] = {line: hashes for line, hashes in sections[extra].items() if line not in known}
     LOCK.write_text(HEADER + "".join(section(name, entries) for name, entries in sections.items()))
     print(f"{LOCK.name}: " + ", ".join(f"{name} {len(entries)}" for name, entries in sections.items()))
 

@@ -209,10 +209,8 @@ def _run_once(
                 if (log := process.log.text()) != printed:
                     printed, printed_at = log, time.monotonic()
                 if interrupt_at is not None and interrupt_at in printed:
-                    with closing(
-                        RestDetector(process.pid)
-                    ) as rest:  # a person never presses Ctrl-C that fast
-                        rest.wait_until_quiet()
+                    with closing(RestDetector(process.pid)) as rest:
+                        rest.wait_until_quiet()  # a person never presses Ctrl-C while the program is still at work
                     process.interrupt()
                     interrupt_at = None
                 if silence is not None and printed and time.monotonic() - printed_at > silence:

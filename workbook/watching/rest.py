@@ -36,11 +36,10 @@ POLL_SHARE = 0.1
 """The pause between two polls, as a fraction of the time waited so far. More polls would slow the program down."""
 QUIET_POLL_S = 0.0005
 QUIET_POLL_SHARE = 0.2
-"""The same for `wait_until_quiet`, which waits for slower programs, often before they need to be fast."""
+"""The same for `wait_until_quiet`, whose callers can wait longer."""
 FIRST_LOOK_SHARE = 0.5
 LONGEST_UNLOOKED_S = 0.001
-"""Before the first poll, sleep for this share of the previous wait's duration, which counts as at most
-`LONGEST_UNLOOKED_S` (s)."""
+"""Before the first poll, `wait_for_rest` sleeps for this share of its previous duration, at most of this time (s)."""
 
 
 class State(enum.Enum):
@@ -54,7 +53,7 @@ class State(enum.Enum):
 class RestDetector:
     """Waits until a program, whose first process is `pid`, is quiet or at rest.
 
-    `never_in_vain`: whether the program was at rest after each call of `wait` so far. `slept_s` and `longest_nap_s`:
+    `never_in_vain`: whether the program was at rest after each `wait_for_rest` so far. `slept_s` and `longest_nap_s`:
     the total and the longest time (s) that we waited for a sleeping thread before the program came to rest. If the
     threads' states can't be read, all threads count as quiet.
     """
@@ -99,7 +98,7 @@ class RestDetector:
             time.sleep(max(QUIET_POLL_S, QUIET_POLL_SHARE * waited))
         return True
 
-    def wait(self) -> State:
+    def wait_for_rest(self) -> State:
         """Wait until the program is at rest, at most `LONGEST_WAIT_S`. Return its last state."""
         began = time.monotonic()
         asleep_since = math.inf

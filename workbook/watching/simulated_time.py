@@ -188,7 +188,7 @@ class SimulatedRun:
     def _wait(self, *, locked: bool) -> None:
         """Wait until the program has handled the last step and its messages have arrived."""
         if locked:
-            self._rest.wait()
+            self._rest.wait_for_rest()
         else:
             self._rest.wait_until_quiet()
 
